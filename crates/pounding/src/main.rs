@@ -4,8 +4,6 @@ mod commands;
 mod folder;
 mod new_file;
 mod progress;
-mod record;
-mod summary;
 mod text;
 
 use pounding::text::Refused;

@@ -3,22 +3,12 @@
 
 use pounding::scene::Implausible;
 use pounding::text::visible;
-pub(crate) use pounding::text::{percent, short};
+pub(crate) use pounding::text::{NONE, cut, paragraph, percent, short};
 
 /// Columns of a terminal.
 const WIDTH: usize = 80;
 /// Columns of the words that begin a paragraph.
 const LABEL: usize = 10;
-/// What stands where there is no number.
-pub(crate) const NONE: &str = "–";
-
-/// Lines with a word before the first; long lines are broken between words.
-pub(crate) fn paragraph(label: &str, text: &str) -> String {
-    let broken: Vec<String> = visible(text).lines().flat_map(|line| broken(line, WIDTH - LABEL)).collect();
-    let indent = " ".repeat(LABEL);
-    format!("{label:LABEL$}{}\n", broken.join(&format!("\n{indent}")))
-}
-
 /// What looks wrong, which stands before every answer; `None` if nothing does.
 pub(crate) fn unusual(found: &[Implausible]) -> Option<String> {
     let lines: Vec<String> = found.iter().map(ToString::to_string).collect();
@@ -89,63 +79,4 @@ pub(crate) fn table<const LINES: usize, Line: AsRef<str>>(header: &[[Line; LINES
 fn shown(rows: &[Vec<String>]) -> Vec<Vec<String>> {
     let row = |row: &Vec<String>| row.iter().map(|cell| visible(cell).into_owned()).collect();
     rows.iter().map(row).collect()
-}
-
-/// Columns of a cell of a table side by side.
-const CELL: usize = 14;
-
-/// Rows of a name and some cells, with as many columns as there are: names to the left, cells to the right, in as many lines as
-/// they need. What does not fit beside the names stands below, with the names again.
-pub(crate) fn table_in_blocks(rows: &[Vec<String>]) -> String {
-    let rows = shown(rows);
-    let names = rows.iter().filter_map(|row| row.first());
-    let names = names.map(|name| name.chars().count()).max().unwrap_or(0);
-    let columns = rows.iter().map(Vec::len).max().unwrap_or(0);
-    let cell = |row: usize, column: usize| rows[row].get(column).map_or("", String::as_str);
-    let width = |column: usize| {
-        let cells = (0..rows.len()).map(|row| cell(row, column).chars().count());
-        cells.max().unwrap_or(0).min(CELL)
-    };
-    let mut blocks: Vec<Vec<usize>> = Vec::new();
-    let mut used = 0;
-    for column in 1..columns {
-        used += 2 + width(column);
-        match blocks.last_mut() {
-            Some(block) if names + used <= WIDTH => block.push(column),
-            _ => {
-                blocks.push(vec![column]);
-                used = 2 + width(column);
-            }
-        }
-    }
-    let line = |row: usize, block: &[usize]| {
-        let lines_of = |column: &usize| pieces(cell(row, *column), CELL);
-        let cells: Vec<Vec<String>> = block.iter().map(lines_of).collect();
-        let tallest = cells.iter().map(Vec::len).max().unwrap_or(0).max(1);
-        let line = |line: usize| {
-            let name = if line == 0 { cell(row, 0) } else { "" };
-            let cells = block.iter().zip(&cells).map(|(&column, lines)| {
-                let width = width(column);
-                format!("  {:>width$}", lines.get(line).map_or("", String::as_str))
-            });
-            let line = format!("{name:names$}{}", cells.collect::<String>());
-            format!("{}\n", line.trim_end())
-        };
-        (0..tallest).map(line).collect::<String>()
-    };
-    let block = |block: &Vec<usize>| (0..rows.len()).map(|row| line(row, block)).collect();
-    let blocks: Vec<String> = blocks.iter().map(block).collect();
-    blocks.join("\n")
-}
-
-/// The text, or its beginning and its end with an ellipsis between: names often differ at their ends.
-pub(crate) fn cut(text: &str, width: usize) -> String {
-    let letters: Vec<char> = text.chars().collect();
-    if letters.len() <= width {
-        return text.into();
-    }
-    let end = (width - 1) / 2;
-    let begin = width - 1 - end;
-    let (begin, end) = (&letters[..begin], &letters[letters.len() - end..]);
-    begin.iter().chain(['…'].iter()).chain(end).collect()
 }

@@ -94,12 +94,12 @@ fn scaling(scale: &str, target: Option<&str>) -> Result<Scaling, Refused> {
 impl Assessment {
     /// Everything, as the JSON of `pounding assess --json`.
     fn facts(&self) -> String {
-        json_text(&self.report.to_json())
+        self.report.answer().text(Form::Json)
     }
 
     /// The table of `pounding assess --csv`, a row for each number.
     fn csv(&self) -> String {
-        self.report.to_csv()
+        self.report.answer().text(Form::Csv)
     }
 
     /// What looks wrong in the scene and in its records.

@@ -2,7 +2,7 @@
 
 use std::mem::discriminant;
 
-use pounding_scene::{Error, Excess, ExcessKind, PairOutcome, Review, RunResult, Simulation};
+use pounding_scene::{Error, Excess, ExcessKind, PairOutcome, Review, RunResult, Simulation, direction};
 
 use pounding_text::short;
 
@@ -42,11 +42,7 @@ impl BothDirections {
     /// Of a run, and the run in the other direction.
     pub fn of(prepared: &Simulation, review: &Review, other: Result<RunResult, Error>) -> Self {
         let reversed = prepared.scene().record.reversed;
-        let names = if reversed {
-            ["reversed, as in the scene", "as recorded"]
-        } else {
-            ["as recorded", "reversed"]
-        };
+        let names = [reversed, !reversed].map(direction);
         let given = &review.outcome;
         match other {
             Ok(other) => Self {

@@ -32,6 +32,7 @@
 //! - `page/` and `figures/` in the source: the parts of `report.html`.
 
 mod animation;
+mod answer;
 mod assessment;
 mod blow;
 mod direction;
@@ -43,6 +44,7 @@ mod opensees;
 mod page;
 mod sampling;
 mod shown;
+mod site;
 mod sketch;
 mod spectra;
 mod summary;
@@ -51,6 +53,7 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 pub use animation::Animation;
+pub use answer::{method_facts, record_facts};
 pub use assessment::{AssessedMotion, AssessmentReport, FolderOfMotions, ScalingAsked};
 pub use blow::Blow;
 pub use direction::{BothDirections, other_direction, other_direction_exact, run_sentence};
@@ -61,7 +64,8 @@ pub use opensees::{OpenSees, OpenSeesError};
 use pounding_files::ResultNames;
 use pounding_scene::{Effects, Error, Review, RunResult, Simulation};
 use sampling::Sampling;
-pub use shown::{Shown, tables};
+pub use shown::{InWords, tables};
+pub use site::{Site, SitedNumber};
 pub use sketch::Sketch;
 pub use spectra::{SpectraLabels, spectra_figure};
 pub use summary::{
@@ -175,7 +179,7 @@ impl<'a> Report<'a> {
         let illustrations = figures::illustrations(motion, outcome, &summary.pairs, known);
         let animation = Animation::of_run(prepared, outcome);
         let moving = animation.as_ref().map_or_else(String::new, Animation::figure);
-        let page = page::html(self, &summary, &illustrations, &moving);
+        let page = page::html(self, &illustrations, &moving);
         let mut files = BTreeMap::from([
             (HISTORY.into(), history::csv(prepared, &motion).into_bytes()),
             (IMPACTS.into(), impacts::csv(prepared.floors(), outcome).into_bytes()),

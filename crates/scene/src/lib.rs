@@ -73,7 +73,7 @@ pub use file::schema::{scene_schema, schema_of};
 pub use file::{
     BoucWen, Building, Columns, Contact, Damping, Detrend, DrawnNeighbour, FileUse, FilterBand, Generated, Ground, Jumps, Method,
     Neighbour, RecordUse, RunBudget, STANDARD_GRAVITY, ScaleTo, Scene, Sdof, SdofFile, SetNumber, Source, Start, Stochastic, Storey,
-    Structure, Unit, UnknownNeighbour, set_number,
+    Structure, Unit, UnknownNeighbour, direction, set_number,
 };
 pub use ground_motion::{GroundMotion, Origin, SharedMotion, hexadecimal, opened, sha256};
 pub use judge::certificate::{Certificate, CertificateRequest};
@@ -85,7 +85,7 @@ pub use judge::response::{Excess, ExcessKind, MOST_DRIFT, MOST_DUCTILITY, MOST_R
 pub use judge::review::{DOUBTFUL, Errors, Review};
 pub use judge::warning::{Place, Warning};
 pub use pounding_text::Refused;
-pub use quantity::{AT_ONCE, About, FloorQuantity, LEAST_PART, PairQuantity, Quantity, QuantityKind, QuantityUnit, Values, ZERO};
+pub use quantity::{AT_ONCE, About, FloorQuantity, LEAST_PART, PairQuantity, Quantity, QuantityKind, Values, ZERO};
 pub use simulation::floors::{Floor, FloorPair, Floors, StoreyProperties, Unwatched};
 pub use simulation::{
     Advice, Audited, Balance, Extras, Goal, PairOutcome, QuantityGroup, RunResult, Simulation, StepSizes, Trial, holding, in_scene,

@@ -29,17 +29,27 @@
 //! - [`Refused`]: why something is refused, in parts that are put into words last.
 //! - [`visible`] and [`message`]: text that people read, without what would steer their terminal.
 
+mod answer;
 mod cell;
+mod grid;
 mod knob;
 mod place;
 mod refused;
+mod table;
+mod terminal;
+mod unit;
 mod visible;
 mod words;
 
-pub use cell::{Cell, Table, csv_text, harmless, json_text, to_csv};
+pub use answer::{Answer, Form, Manner, Part, Sentences, Where};
+pub use cell::{Cell, csv_text, harmless, json_text, to_csv};
+pub use grid::{Grid, Heading, NONE, Shown};
 pub use knob::{Knob, Naming};
 pub use place::{Place, Spot};
 pub use refused::{Refusal, Refused, refusal_json};
+pub use table::Table;
+pub use terminal::{cut, paragraph};
+pub use unit::Unit;
 pub use visible::{message, steers, visible};
 pub use words::{Kind, Words};
 

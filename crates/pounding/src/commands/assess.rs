@@ -2,19 +2,17 @@
 
 mod bumper;
 mod runs;
-mod text;
 
 use pounding::text::Refused;
 use std::path::PathBuf;
 
 use pounding::report::{AssessmentReport, FolderOfMotions, ScalingAsked};
 use pounding::scene::{DesignSpectrum, Error, Method, ScaleTo, Scaling, Scene, Structure, Suite, acceleration_in_g, in_scene};
-use pounding::text::{digits, json_text};
+use pounding::text::{Form, Where, digits};
 
 use super::declared::Declared;
 use super::suite;
 use crate::folder::Out;
-use crate::text::paragraph;
 use bumper::BumperAsked;
 use runs::{Asked, Found};
 
@@ -169,22 +167,14 @@ pub(crate) fn run(args: &Arguments) -> Result<String, Refused> {
     let ran = asked.run()?;
     let report = args.report(&asked, &ran.lines)?;
     let report = report.ok_or("no run was finished")?;
-    let Printed { details, csv, json } = args.printed;
-    let mut text = if json {
-        json_text(&report.to_json())
-    } else if csv {
-        report.to_csv()
-    } else {
-        text::text(&report, details)
-    };
+    let mut answer = report.answer();
     if let Some(out) = out {
         out.write(&report.files())?;
-        if !json && !csv {
-            let page = out.path().join("report.html").display().to_string();
-            text = format!("{text}{}", paragraph("Report", &page));
-        }
+        let page = out.path().join("report.html").display().to_string();
+        answer = answer.say(Where::Terminal, "Report", vec![page]);
     }
-    ran.answer(text)
+    let Printed { details, csv, json } = args.printed;
+    ran.answer(answer.text(Form::asked(details, csv, json)))
 }
 
 impl Arguments {

@@ -7,12 +7,11 @@ use std::borrow::Cow;
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
-use pounding::report::{Shown, Summary, tables};
+use pounding::report::{InWords, Summary, tables};
 use pounding::scene::{Error, Errors, Floor, PairQuantity, Quantity, QuantityGroup, QuantityKind, Review, Simulation};
-use pounding::text::{digits, json_text};
+use pounding::text::{Answer, Form, Grid, NONE, Where, digits, json_text, percent, short};
 
 use crate::progress::Waiting;
-use crate::text::{NONE, percent, short, table_in_blocks};
 use rows::{Cell, Row, changed};
 
 const EXAMPLES: &str = "\
@@ -58,8 +57,8 @@ struct Run {
 }
 
 impl Run {
-    fn shown(&self) -> Shown<'_> {
-        Shown::of(&self.prepared, &self.review)
+    fn shown(&self) -> InWords<'_> {
+        InWords::of(&self.prepared, &self.review)
     }
 }
 
@@ -67,12 +66,7 @@ impl Run {
 pub(crate) fn run(args: &Arguments) -> Result<String, Refused> {
     let run = |path: &PathBuf| run_scene(path, !args.no_error).map_err(|error| error.in_file(path));
     let runs: Vec<Run> = args.scenes.iter().map(run).collect::<Result<_, _>>()?;
-    if args.json {
-        return Ok(json_of(&runs));
-    }
-    let mut names = names(&runs).into_iter();
-    let mut rows = vec![row::<String>("Scene", &runs, |_| names.next().unwrap_or_default())];
-    rows.extend(of_runs(&runs));
+    let mut rows = of_runs(&runs);
     let (structures, pairs) = (places(&runs, floor_places), places(&runs, pair_places));
     let words = |what: &str, place: &At, all: &[At]| {
         let several = all.iter().any(|one| one.0 == place.0 && one != place);
@@ -87,13 +81,18 @@ pub(crate) fn run(args: &Arguments) -> Result<String, Refused> {
         rows.extend(of_pair(&runs, *place, &words("Pair", place, &pairs)));
     }
     let (rows, alike) = if args.all { (rows, 0) } else { changed(rows) };
-    let cells: Vec<Vec<String>> = rows.iter().map(Row::cells).collect();
     let alike = match alike {
-        0 => String::new(),
-        1 => "\n1 row is alike; --all prints it\n".into(),
-        _ => format!("\n{alike} rows are alike; --all prints them\n"),
+        0 => Vec::new(),
+        1 => vec!["1 row is alike; --all prints it".into()],
+        _ => vec![format!("{alike} rows are alike; --all prints them")],
     };
-    Ok(format!("{}{alike}", table_in_blocks(&cells)))
+    let headings = std::iter::once("Scene".into()).chain(names(&runs));
+    let grid = Grid::of(headings.map(|name| (name, "")), rows.iter().map(Row::cells).collect());
+    let answer = Answer::new()
+        .table(Where::Terminal, grid.in_blocks())
+        .say(Where::Terminal, "More", alike)
+        .with_json(|| json_of(&runs));
+    Ok(answer.text(Form::asked(false, false, args.json)))
 }
 
 /// Where a floor or a pair stands, whatever its number in a run: the structure or the contact from the left, and the storey, of

@@ -1,6 +1,6 @@
 //! `pounding demo`: a scene, its record and its results, with nothing needed.
 
-use pounding::text::Refused;
+use pounding::text::{Form, Refused, Where};
 use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 
@@ -9,8 +9,7 @@ use pounding::report::{Report, other_direction};
 
 use crate::folder::Out;
 use crate::progress::Waiting;
-use crate::text::paragraph;
-use crate::{new_file, summary};
+use crate::new_file;
 
 const EXAMPLES: &str = "\
 Example:
@@ -51,21 +50,13 @@ pub(crate) fn run(args: &Arguments) -> Result<String, Refused> {
     let other = other_direction(&prepared);
     let report = report.with_other_direction(other);
     out.write(&report.files())?;
-    let answer = report.directions().map(summary::direction::text);
-    Ok(format!(
-        "{}\n{}\n{}\n{}",
-        answer.unwrap_or_default(),
-        summary::brief(&prepared, report.review(), &report.notices()),
-        paragraph("Results", &results.join("report.html").display().to_string()),
-        paragraph(
-            "Next",
-            &format!(
-                "change {0} and run it again:\npounding run {0} --out {1}",
-                path.display(),
-                results.display()
-            )
-        )
-    ))
+    let next = format!("change {0} and run it again:", path.display());
+    let again = format!("pounding run {} --out {}", path.display(), results.display());
+    let answer = report
+        .answer()
+        .say(Where::Terminal, "Results", vec![results.join("report.html").display().to_string()])
+        .say(Where::Terminal, "Next", vec![next, again]);
+    Ok(answer.text(Form::Brief))
 }
 
 /// Writes a file that is not there, or leaves one that is as it should be.

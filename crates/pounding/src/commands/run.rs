@@ -1,20 +1,17 @@
 //! `pounding run`: runs a scene and says what happened.
 
 mod batch;
-mod effects;
 
-use pounding::text::{Kind, Refused};
+use pounding::text::{Form, Kind, Refused, Where};
 use std::path::{Path, PathBuf};
 
-use pounding::report::{BothDirections, Report, Summary, other_direction};
-use pounding::scene::{Effects, Error, Implausible, Review, Simulation};
+use pounding::report::{Report, other_direction};
+use pounding::scene::{Effects, Error, Implausible, Simulation};
 use pounding::solver::LedgerError;
 
 use super::declared::Declared;
 use crate::folder::Out;
 use crate::progress::Waiting;
-use crate::summary;
-use crate::text::paragraph;
 
 const EXAMPLES: &str = "\
 Examples:
@@ -128,21 +125,9 @@ impl Results {
     }
 }
 
-/// How an answer is printed.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Printed {
-    Text,
-    Csv,
-    Json,
-}
-
 impl Arguments {
-    fn printed(&self) -> Printed {
-        match (self.suite.csv, self.shown.json) {
-            (true, _) => Printed::Csv,
-            (_, true) => Printed::Json,
-            _ => Printed::Text,
-        }
+    fn form(&self) -> Form {
+        Form::asked(self.shown.details, self.suite.csv, self.shown.json)
     }
 }
 
@@ -176,24 +161,22 @@ pub(crate) fn run(args: &Arguments) -> Result<String, Refused> {
         failed(error).help_also(hint)
     })?;
     let other = (!args.shown.one_direction).then(|| other_direction(&prepared));
-    let Some(out) = out else {
-        let review = prepared.review(measure).map_err(failed)?;
-        let both = other.map(|other| BothDirections::of(&prepared, &review, other));
-        return Ok(answer(args, (&prepared, effects), &review, both.as_ref()));
+    let report = if out.is_some() {
+        Report::of(&prepared, measure).map_err(failed)?
+    } else {
+        Report::of_review(&prepared, prepared.review(measure).map_err(failed)?.into())
     };
-    let report = Report::of(&prepared, measure).map_err(failed)?;
-    let mut report = report.with_effects(effects.clone());
+    let mut report = report.with_effects(effects);
     if let Some(other) = other {
         report = report.with_other_direction(other);
     }
-    out.write(&report.files())?;
-    let text = answer(args, (&prepared, effects), report.review(), report.directions());
-    let page = out.path().join("report.html");
-    Ok(if args.shown.json {
-        text
-    } else {
-        format!("{text}\n{}", paragraph("Results", &page.display().to_string()))
-    })
+    let mut answer = report.answer();
+    if let Some(out) = out {
+        out.write(&report.files())?;
+        let page = out.path().join("report.html");
+        answer = answer.say(Where::Terminal, "Results", vec![page.display().to_string()]);
+    }
+    Ok(answer.text(args.form()))
 }
 
 const NO_FOLDER: &str = "found what files do not say (--unit, --time-step, --per-count, --acceleration, --in-rows), allowed is it with --records; of the \
@@ -217,29 +200,6 @@ fn with_doubts(args: &Arguments, refused: Refused, prepared: &Simulation) -> Ref
     } else {
         refused.help_also(format!("; unusual in this scene: {}", doubts.join("; ")))
     }
-}
-
-/// What is printed of a run: what is unusual, what both directions do, and the run itself; JSON has them inside.
-fn answer(args: &Arguments, (prepared, effects): (&Simulation, Option<Effects>), review: &Review, both: Option<&BothDirections>) -> String {
-    let notices = both.map_or_else(|| review.notices(), |both| both.notices.clone());
-    if args.shown.json {
-        let summary = Summary::of(prepared, review);
-        return Summary {
-            effects,
-            warnings: notices,
-            ..summary
-        }
-        .to_json();
-    }
-    let run = if args.shown.details {
-        summary::details(prepared, review, &notices)
-    } else {
-        summary::brief(prepared, review, &notices)
-    };
-    let effects = effects.map(|effects| effects::text(prepared, &effects));
-    let first = [summary::unusual(prepared), both.map(summary::direction::text)];
-    let parts = first.into_iter().flatten().chain([run]).chain(effects);
-    parts.collect::<Vec<_>>().join("\n")
 }
 
 /// The message of a scene that is refused; of what `--force` prints all the same, with a hint at it.

@@ -5,7 +5,7 @@ use pounding_text::{millimetres, short, two_decimals, two_digits};
 use serde_json::{Value, json};
 
 use super::AssessmentReport;
-use super::facts::statistics;
+use super::tables::statistics;
 
 /// A change in words, of a ratio: "−60 %", "+3 %", and from twice on "× 2.4".
 pub(super) fn change(ratio: f64) -> String {

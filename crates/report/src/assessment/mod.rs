@@ -1,13 +1,15 @@
 //! An assessment as a folder: a page to forward, tables, figures.
 
+mod answer;
 mod bumper;
 mod cautions;
-mod facts;
 mod figures;
+mod numbers;
 mod of_lines;
 mod page;
 mod prior;
 mod profiles;
+mod tables;
 mod words;
 
 use std::collections::BTreeMap;
@@ -16,6 +18,7 @@ use pounding_scene::{
     AssessedRun, Assessment, Bumper, BumperEffect, BumperRun, DesignSpectrum, DrawnNeighbour, Error, Floors, MotionSpectrum, RunOfCase,
     Scaling, Scene, TargetFit, in_scene,
 };
+use pounding_text::Form;
 use serde_json::Value;
 
 use crate::animation::{Animation, FILE};
@@ -244,11 +247,11 @@ impl AssessmentReport {
 
     /// The files of a folder, by name: `report.html`, `assess.csv`, `assess.json`, `animation.svg` and the figures as SVG and PNG.
     pub fn files(&self) -> BTreeMap<String, Vec<u8>> {
-        let drawn = figures::all(self);
+        let (drawn, answer) = (figures::all(self), self.answer());
         let mut files = BTreeMap::from([
             (PAGE.into(), page::html(self, &drawn).into_bytes()),
-            (TABLE.into(), self.to_csv().into_bytes()),
-            (JSON.into(), pounding_text::json_text(&self.to_json()).into_bytes()),
+            (TABLE.into(), answer.text(Form::Csv).into_bytes()),
+            (JSON.into(), answer.text(Form::Json).into_bytes()),
         ]);
         if let Some(animation) = &self.animation {
             files.insert(FILE.into(), animation.svg.clone().into_bytes());
@@ -260,16 +263,6 @@ impl AssessmentReport {
             }
         }
         files
-    }
-
-    /// Everything for machines, SI units.
-    pub fn to_json(&self) -> Value {
-        facts::json(self)
-    }
-
-    /// A line per number, SI units: record, reversed, building, floor, neighbour, quantity, value.
-    pub fn to_csv(&self) -> String {
-        facts::csv(self)
     }
 
     /// Whether a folder of an assessment can have a file of this name.

@@ -5,7 +5,7 @@ use pounding_text::{digits, millimetres, two_decimals};
 use serde_json::{Value, json};
 
 use super::AssessmentReport;
-use super::facts::statistics;
+use super::tables::statistics;
 
 /// Probabilities of which the width is told \[–\].
 const PROBABILITIES: [f64; 4] = [0.5, 0.84, 0.95, 1.0];

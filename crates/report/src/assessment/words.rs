@@ -80,7 +80,7 @@ impl AssessmentReport {
     }
 
     /// What a sample is: an event, or an event beside a neighbour that was drawn.
-    fn sample(&self) -> &'static str {
+    pub(super) fn sample(&self) -> &'static str {
         if self.neighbours().is_empty() { "event" } else { "case" }
     }
 
@@ -104,13 +104,13 @@ impl AssessmentReport {
     pub fn answers(&self) -> Vec<String> {
         let mut gaps: Vec<&GapAssessment> = self.assessment.gaps.iter().collect();
         gaps.sort_by_key(|gap| std::cmp::Reverse(gap.touching));
-        let answers = gaps.into_iter().map(|gap| self.answer(gap));
+        let answers = gaps.into_iter().map(|gap| self.answer_of(gap));
         let answers = answers.chain(self.floors.says_no_level());
         answers.chain(self.prior()).collect()
     }
 
     /// Whether a gap is enough for floors that face floors, and what those beside columns may need.
-    fn answer(&self, gap: &GapAssessment) -> String {
+    fn answer_of(&self, gap: &GapAssessment) -> String {
         let answer = self.answer_of_floors(gap);
         gap.beside_columns.map_or(answer.clone(), |width| {
             let width = millimetres_up(width);

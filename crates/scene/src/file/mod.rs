@@ -38,7 +38,7 @@ pub use method::{Jumps, Method, Start};
 pub use neighbour::{DrawnNeighbour, Neighbour, UnknownNeighbour};
 pub use numbers::{SetNumber, set_number};
 pub use processing::{Detrend, FilterBand, ScaleTo};
-pub use record::{FileUse, RecordUse, STANDARD_GRAVITY, Source, Unit};
+pub use record::{FileUse, RecordUse, STANDARD_GRAVITY, Source, Unit, direction};
 pub use structure::SdofFile;
 pub use structure::{Sdof, Structure};
 

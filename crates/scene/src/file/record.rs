@@ -35,7 +35,17 @@ pub struct RecordUse {
     pub reversed: bool,
 }
 
+/// The direction of a shaking in words.
+pub fn direction(reversed: bool) -> &'static str {
+    if reversed { "reversed" } else { "as given" }
+}
+
 impl RecordUse {
+    /// The direction of the shaking in words.
+    pub fn direction(&self) -> &'static str {
+        direction(self.reversed)
+    }
+
     /// A ground motion as its source has it.
     pub fn of(source: Source) -> Self {
         Self {

@@ -3,13 +3,13 @@
 
 mod floor;
 mod pair;
-mod unit;
 mod values;
 
 pub use floor::FloorQuantity;
 pub use pair::PairQuantity;
-pub use unit::QuantityUnit;
 pub use values::{AT_ONCE, LEAST_PART, Values, ZERO};
+
+use pounding_text::Unit;
 
 use crate::QuantityGroup;
 
@@ -30,7 +30,7 @@ pub struct About {
     /// What it is, in a sentence.
     pub meaning: &'static str,
     /// Its unit.
-    pub unit: &'static QuantityUnit,
+    pub unit: &'static Unit,
     /// Its name above a column.
     pub heading: &'static str,
     /// Its name in sentences about its error.
@@ -114,7 +114,7 @@ use quantities;
 
 impl About {
     /// An entry without name and meaning, which the table adds: of a number with this unit, this name above a column and this value.
-    const fn new(unit: &'static QuantityUnit, heading: &'static str, of: Take<Option<f64>>) -> Self {
+    const fn new(unit: &'static Unit, heading: &'static str, of: Take<Option<f64>>) -> Self {
         Self {
             name: "",
             meaning: "",
@@ -129,13 +129,13 @@ impl About {
             error_of: None,
             on_ground: None,
             collision: None,
-            text: unit.text,
+            text: unit.reader(),
         }
     }
 
     /// An instant, which stands beside its number.
     const fn instant(of: Take<Option<f64>>) -> Self {
-        Self::new(&QuantityUnit::SECOND, "at", of).kind(QuantityKind::Instant)
+        Self::new(&Unit::SECOND, "at", of).kind(QuantityKind::Instant)
     }
 
     const fn kind(self, kind: QuantityKind) -> Self {

@@ -1,6 +1,6 @@
 //! Rows of the table of `compare`: what differs, and by how much.
 
-use crate::text::{NONE, short};
+use pounding::text::{NONE, Shown, short};
 
 /// A line of the table: a name, and a cell for every scene.
 pub(super) struct Row {
@@ -57,7 +57,7 @@ impl Row {
     }
 
     /// The name and the cells, numbers behind the first with their change.
-    pub(super) fn cells(&self) -> Vec<String> {
+    pub(super) fn cells(&self) -> Vec<Shown> {
         let first = &self.cells[0];
         let cell = |(index, cell): (usize, &Cell)| {
             let text = cell.text();
@@ -71,7 +71,7 @@ impl Row {
             }
         };
         let cells = self.cells.iter().enumerate().map(cell);
-        std::iter::once(self.name.clone()).chain(cells).collect()
+        std::iter::once(self.name.clone()).chain(cells).map(Shown::from).collect()
     }
 }
 
@@ -79,10 +79,10 @@ impl Row {
 pub(super) fn changed(rows: Vec<Row>) -> (Vec<Row>, usize) {
     let (mut kept, mut alike): (Vec<Row>, usize) = (Vec::new(), 0);
     let mut heading: Option<Row> = None;
-    for (index, row) in rows.into_iter().enumerate() {
-        if row.is_heading() && index > 0 {
+    for row in rows {
+        if row.is_heading() {
             heading = Some(row);
-        } else if index > 0 && row.is_alike() {
+        } else if row.is_alike() {
             alike += 1;
         } else {
             kept.extend(heading.take());

@@ -13,9 +13,9 @@ use pounding::scene::{
     Effects, Error, Errors, Excess, FloorQuantity, Floors, Implausible, PairOutcome, PairQuantity, QuantityGroup, Review, Scene,
     Simulation, Suite,
 };
-use pounding::text::digits;
+use pounding::text::{Form, digits};
 
-use super::{Arguments, Printed};
+use super::Arguments;
 use crate::commands::suite;
 use crate::text::{NONE, paragraph, percent, short, table};
 
@@ -124,14 +124,14 @@ pub(super) fn run(args: &Arguments, folder: &Path) -> Result<String, Refused> {
         Ok(Found::new(prepared, &review, effects.transpose()?))
     })?;
     let lines = &ran.lines;
-    let mut answer = match args.printed() {
-        Printed::Text => text(&scene, &records, lines),
-        Printed::Csv => data::csv(&records, lines),
-        Printed::Json => data::json(&scene, &records, lines),
+    let mut answer = match args.form() {
+        Form::Brief | Form::Details => text(&scene, &records, lines),
+        Form::Csv => data::csv(&records, lines),
+        Form::Json => data::json(&scene, &records, lines),
     };
     if let Some(out) = out {
         out.write(&files(&scene, &records, lines))?;
-        if args.printed() == Printed::Text {
+        if args.form().is_for_people() {
             let results = paragraph("Results", &out.path().display().to_string());
             answer = format!("{answer}\n{results}");
         }
