@@ -38,7 +38,6 @@ pub mod tables {
         Pair::LeastOpeningM,
         Pair::Collisions,
         Pair::FirstStartS,
-        Pair::FirstImpulseNS,
         Pair::LargestImpulseNS,
         Pair::PeakForceN,
         Pair::PeakForceTimeS,

@@ -102,7 +102,8 @@ fn lines_of(row: &[Shown]) -> Vec<Vec<String>> {
         let below = cell.below.clone().unwrap_or_default();
         if column == 0 { format!("  {below}") } else { below }
     });
-    let has_below = row.iter().any(|cell| cell.below.is_some());
+    // What stands below a name alone is for pages.
+    let has_below = row.iter().skip(1).any(|cell| cell.below.is_some());
     std::iter::once(texts).chain(has_below.then(|| below.collect())).collect()
 }
 
@@ -184,7 +185,8 @@ mod tests {
 
     fn grid(names: &[&str]) -> Grid {
         let headings = [("Pair", ""), ("Largest impulse", "kN·s"), ("Collisions", "")];
-        let row = |name: &&str| vec![Shown::from(*name).over(Some("linear".into())), "12.3".into(), "3".into()];
+        let impulse = || Shown::from("12.3").over(Some("0.2 %".into()));
+        let row = |name: &&str| vec![Shown::from(*name).over(Some("error".into())), impulse(), "3".into()];
         Grid::of(headings.map(|(text, unit)| (text.into(), unit)), names.iter().map(row).collect())
     }
 
@@ -195,7 +197,7 @@ mod tests {
                       impulse
                        [kN·s]
         left – right     12.3           3
-          linear
+          error         0.2 %
         and 1 more: --details
         ");
     }
