@@ -3,12 +3,12 @@
 use std::path::PathBuf;
 
 use pounding_contact::{Calibration, LawName};
-use pounding_report::{OpenSees, OpenSeesError, Sketch};
+use pounding_report::{OpenSees, OpenSeesError, Sketch, advice_answer, certificate};
 use pounding_scene::{
-    Certificate, CertificateRequest, Effects, Error, Floors, FreeCollision, Goal, Method, QuantityGroup, Scene, SharedMotion, Simulation,
-    StepMethod, certificate_json, in_scene, usual_stiffness,
+    CertificateRequest, Effects, Error, Floors, FreeCollision, Goal, Method, QuantityGroup, Scene, SharedMotion, Simulation,
+    StepMethod, in_scene, usual_stiffness,
 };
-use pounding_text::{Refused, json_text};
+use pounding_text::{Form, Refused, json_text};
 use pyo3::prelude::*;
 use serde_json::Value;
 
@@ -133,7 +133,7 @@ pub(crate) fn advise(
         let goal = Goal { error, quantity };
         let advice = pounding_scene::advise(&simulation, goal, &|of| watch.step(1, of as u64));
         let advice = advice.map_err(|error| given.in_file(error))?;
-        Ok(json_text(&advice.to_json(simulation.scene())))
+        Ok(advice_answer(&simulation, &advice, String::new()).text(Form::Json))
     })?;
     found.or_refused(py)
 }
@@ -176,10 +176,7 @@ pub(crate) fn certify(
     };
     let collision = FreeCollision { masses, speed };
     let found = wait(py, None, |_| -> Result<String, Refused> {
-        let certificate = Certificate::new(&wanted, &collision)?;
-        let facts = certificate.facts(&wanted, &collision);
-        let lines = time_step.map(|step| certificate.lines(&collision, step, method));
-        Ok(json_text(&certificate_json(&facts, &lines.unwrap_or_default())))
+        Ok(certificate(&wanted, &collision, time_step, method)?.text(Form::Json))
     })?;
     found.or_refused(py)
 }

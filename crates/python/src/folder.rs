@@ -5,8 +5,7 @@ use std::path::{Path, PathBuf};
 use pounding_report::{AssessmentReport, ScalingAsked};
 use pounding_scene::lines::{Line, Watched, failed, lines_of};
 use pounding_scene::{DesignSpectrum, Error, Excess, Implausible, Method, ScaleTo, Scaling, Scene, Separation, Suite};
-use pounding_text::Refused;
-use pounding_text::json_text;
+use pounding_text::{Form, Refused};
 use pyo3::prelude::*;
 
 use crate::refused::OrRefused;

@@ -8,7 +8,7 @@ use pounding_text::short;
 
 use super::Blow;
 
-/// What both directions of shaking do.
+/// The results of both directions of shaking.
 #[derive(Debug)]
 pub struct BothDirections {
     /// A sentence for each, the one that is worse for the buildings first.

@@ -31,10 +31,12 @@
 //! - [`AssessmentReport`]: the folder of a row under many records.
 //! - `page/` and `figures/` in the source: the parts of `report.html`.
 
+mod advice;
 mod animation;
 mod answer;
 mod assessment;
 mod blow;
+mod certificate;
 mod direction;
 mod figures;
 mod history;
@@ -52,10 +54,12 @@ mod summary;
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
+pub use advice::advice_answer;
 pub use animation::Animation;
 pub use answer::{method_facts, record_facts};
 pub use assessment::{AssessedMotion, AssessmentReport, FolderOfMotions, ScalingAsked};
 pub use blow::Blow;
+pub use certificate::certificate;
 pub use direction::{BothDirections, other_direction, other_direction_exact, run_sentence};
 use figures::Known;
 use history::Motion;
@@ -94,7 +98,7 @@ impl<'a> Report<'a> {
         Ok(Self::of_review(prepared, Arc::new(review)))
     }
 
-    /// Of a run at hand, which kept histories with a state every [`interval`](Self::interval).
+    /// A report of a run that kept histories with a state every [`interval`](Self::interval).
     pub fn of_review(prepared: &'a Simulation, review: Arc<Review>) -> Self {
         Self {
             prepared,
@@ -110,13 +114,13 @@ impl<'a> Report<'a> {
         Sampling::of(prepared).interval
     }
 
-    /// The same with what pounding does to every storey.
+    /// Returns the report with the effects of pounding on every storey.
     #[must_use]
     pub fn with_effects(self, effects: Option<Effects>) -> Self {
         Self { effects, ..self }
     }
 
-    /// The same with both directions of shaking on the first page; `other` is the run in the other direction than the scene's.
+    /// Returns the report with both directions of shaking on the first page; `other` is the run in the other direction than the scene's.
     #[must_use]
     pub fn with_other_direction(self, other: Result<RunResult, Error>) -> Self {
         let directions = BothDirections::of(self.prepared, &self.review, other);
@@ -126,7 +130,7 @@ impl<'a> Report<'a> {
         }
     }
 
-    /// What both directions of shaking do, if the other one ran.
+    /// The results of both directions of shaking, if the other one ran.
     pub fn directions(&self) -> Option<&BothDirections> {
         self.directions.as_ref()
     }

@@ -17,7 +17,7 @@ pub mod tables {
         Floor::Ductility,
         Floor::TransferredMomentumNS,
     ];
-    /// What is left of the motion of structures, and what stands on their floors feels.
+    /// The motion of structures that is left at the end, and the shaking of objects on their floors.
     pub const MOTIONS: &[Floor] = &[
         Floor::ResidualDisplacementAtEndM,
         Floor::PeakAccelerationMPerS2,

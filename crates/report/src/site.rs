@@ -54,7 +54,7 @@ impl Site {
 }
 
 /// A number, and where it stands.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, Default, PartialEq)]
 pub struct SitedNumber {
     /// Where it stands.
     pub site: Site,

@@ -77,7 +77,7 @@ pub use file::{
 };
 pub use ground_motion::{GroundMotion, Origin, SharedMotion, hexadecimal, opened, sha256};
 pub use judge::certificate::{Certificate, CertificateRequest};
-pub use judge::certified::{CertificateFact, DeliveredBy, Said, certificate_json, usual_stiffness};
+pub use judge::certified::{CertificateFact, DeliveredBy, Said, usual_stiffness};
 pub use judge::free_collision::{Delivered, FreeCollision, no_step};
 pub use judge::implausible::{Implausible, USUAL_FACTORS};
 pub use judge::limits::{ContactLimit, FreeLimit, Limits, STEPS_PER_CONTACT, STEPS_PER_PERIOD};

@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 
 use serde_json::Value;
 
+use crate::terminal::facts;
 use crate::{Grid, json_text, paragraph};
 
 /// In what an answer is printed.
@@ -71,7 +72,7 @@ pub enum Manner {
         /// Whether something touches.
         touch: bool,
     },
-    /// Two columns: what stands before `: ` and what behind it.
+    /// Two columns: what stands before `: ` and what behind it; also in a terminal, if the sentences stand under no word.
     Facts,
 }
 
@@ -99,7 +100,7 @@ pub enum Part {
     Table(Grid),
     /// A place for the figure of this name on a page.
     Figure(&'static str),
-    /// What only a page has, as markup.
+    /// A text as it is: markup on a page; in a terminal, for example, commands to be copied.
     Markup(String),
 }
 
@@ -115,7 +116,10 @@ pub struct Answer<'a> {
 
 impl std::fmt::Debug for Answer<'_> {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.debug_struct("Answer").field("parts", &self.parts).field("facts", &self.facts).finish_non_exhaustive()
+        f.debug_struct("Answer")
+            .field("parts", &self.parts)
+            .field("facts", &self.facts)
+            .finish_non_exhaustive()
     }
 }
 
@@ -159,7 +163,11 @@ impl<'a> Answer<'a> {
     /// Returns the answer with a table, if it has rows.
     #[must_use]
     pub fn table(self, place: Where, grid: Grid) -> Self {
-        if grid.is_empty() { self } else { self.part(place, Part::Table(grid)) }
+        if grid.is_empty() {
+            self
+        } else {
+            self.part(place, Part::Table(grid))
+        }
     }
 
     /// Returns the answer with a heading on its page.
@@ -229,6 +237,7 @@ impl<'a> Answer<'a> {
         };
         let shown = self.parts.iter().filter(|(place, _)| is_shown(*place));
         let texts = shown.filter_map(|(_, part)| match part {
+            Part::Words(words) if words.label.is_empty() && words.manner == Manner::Facts => Some(facts(&words.lines)),
             Part::Words(words) => Some(paragraph(words.label, &words.lines.join("\n"))),
             Part::Table(grid) => Some(grid.terminal(details)),
             Part::Markup(text) => Some(text.clone()),

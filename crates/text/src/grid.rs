@@ -32,10 +32,7 @@ impl Shown {
 
 impl From<String> for Shown {
     fn from(text: String) -> Self {
-        Self {
-            text,
-            ..Self::default()
-        }
+        Self { text, ..Self::default() }
     }
 }
 
@@ -73,6 +70,24 @@ pub struct Heading {
     pub unit: &'static str,
 }
 
+impl From<String> for Heading {
+    fn from(text: String) -> Self {
+        (text, "").into()
+    }
+}
+
+impl From<&str> for Heading {
+    fn from(text: &str) -> Self {
+        (text, "").into()
+    }
+}
+
+impl<T: Into<String>> From<(T, &'static str)> for Heading {
+    fn from((text, unit): (T, &'static str)) -> Self {
+        Self { text: text.into(), unit }
+    }
+}
+
 impl Heading {
     /// The name with its unit in brackets.
     pub fn title(&self) -> String {
@@ -102,16 +117,15 @@ pub struct Grid {
 }
 
 impl Grid {
-    /// Of headings with their units, and rows as long as they are.
-    pub fn of(headings: impl IntoIterator<Item = (String, &'static str)>, rows: Vec<Vec<Shown>>) -> Self {
+    /// A table of headings, and rows as long as they are.
+    pub fn of(headings: impl IntoIterator<Item: Into<Heading>>, rows: Vec<Vec<Shown>>) -> Self {
         let spelt = |shown: Shown| Shown {
             text: visible(&shown.text).into_owned(),
             below: shown.below.map(|below| visible(&below).into_owned()),
             ..shown
         };
-        let headings = headings.into_iter().map(|(text, unit)| Heading { text, unit });
         Self {
-            headings: headings.collect(),
+            headings: headings.into_iter().map(Into::into).collect(),
             rows: rows.into_iter().map(|row| row.into_iter().map(spelt).collect()).collect(),
             most: usize::MAX,
             is_in_blocks: false,

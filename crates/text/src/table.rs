@@ -4,7 +4,7 @@ use std::borrow::Cow;
 
 use serde_json::{Map, Value};
 
-use crate::{Cell, Grid, Shown, Unit, csv_text};
+use crate::{Cell, Grid, Heading, Shown, Unit, csv_text};
 
 /// A column: its name for programs, its heading for people, and how to take its cells from a row, so that header and cells cannot part.
 struct Column<'a, Row> {
@@ -16,8 +16,7 @@ struct Column<'a, Row> {
 }
 
 struct People<'a, Row> {
-    heading: Cow<'static, str>,
-    unit: &'static str,
+    heading: Heading,
     text: Box<dyn Fn(&Row) -> Shown + 'a>,
 }
 
@@ -95,52 +94,39 @@ impl<'a, Row: 'a> Table<'a, Row> {
         keys.fold(self, |table, key| table.column(name(key), move |row| cell(row, key)))
     }
 
-    /// Returns the table with one column more for people; a unit stands in brackets at the end of the heading.
+    /// Returns the table with one column more for people; a heading may be a name with its unit.
     #[must_use]
-    pub fn shown<S: Into<Shown>>(self, heading: impl Into<Cow<'static, str>>, text: impl Fn(&Row) -> S + 'a) -> Self {
-        self.people(heading.into(), "", text)
-    }
-
-    /// Returns the table with one column more for people, under a unit.
-    #[must_use]
-    pub fn shown_in<S: Into<Shown>>(self, unit: &'static str, heading: impl Into<Cow<'static, str>>, text: impl Fn(&Row) -> S + 'a) -> Self {
-        self.people(heading.into(), unit, text)
-    }
-
-    fn people<S: Into<Shown>>(mut self, heading: Cow<'static, str>, unit: &'static str, text: impl Fn(&Row) -> S + 'a) -> Self {
+    pub fn shown<S: Into<Shown>>(mut self, heading: impl Into<Heading>, text: impl Fn(&Row) -> S + 'a) -> Self {
         self.columns.push(Column {
             name: None,
             cell: Box::new(|_| Cell::default()),
             people: Some(People {
-                heading,
-                unit,
+                heading: heading.into(),
                 text: Box::new(move |row| text(row).into()),
             }),
         });
         self
     }
 
+    /// Returns the table with one column more for people, under a unit.
+    #[must_use]
+    pub fn shown_in<S: Into<Shown>>(self, unit: &'static str, heading: impl Into<String>, text: impl Fn(&Row) -> S + 'a) -> Self {
+        self.shown((heading.into(), unit), text)
+    }
+
     /// Returns the table with one column more for both: a number \[SI\], which people read in their unit. JSON makes an object of names
     /// with a dot: `width_m.median`.
     #[must_use]
     pub fn number<N: Into<Option<f64>>>(
-        mut self,
+        self,
         name: impl Into<Cow<'static, str>>,
-        heading: impl Into<Cow<'static, str>>,
+        heading: impl Into<String>,
         unit: &'static Unit,
         number: impl Fn(&Row) -> N + Copy + 'a,
     ) -> Self {
         let gravity = self.gravity;
-        self.columns.push(Column {
-            name: Some(name.into()),
-            cell: Box::new(move |row| Cell::exact(number(row))),
-            people: Some(People {
-                heading: heading.into(),
-                unit: unit.shown,
-                text: Box::new(move |row| number(row).into().map(|value| unit.text_of(value, gravity)).into()),
-            }),
-        });
-        self
+        let text = move |row: &Row| number(row).into().map(|value| unit.text_of(value, gravity));
+        self.both(name, (heading.into(), unit.shown), move |row| Cell::exact(number(row)), text)
     }
 
     /// Returns the table with one column more for both: what programs take from a row, and what people read of it.
@@ -148,11 +134,11 @@ impl<'a, Row: 'a> Table<'a, Row> {
     pub fn both<C: Into<Cell>, S: Into<Shown>>(
         self,
         name: impl Into<Cow<'static, str>>,
-        heading: impl Into<Cow<'static, str>>,
+        heading: impl Into<Heading>,
         cell: impl Fn(&Row) -> C + 'a,
         text: impl Fn(&Row) -> S + 'a,
     ) -> Self {
-        let mut table = self.people(heading.into(), "", text);
+        let mut table = self.shown(heading, text);
         if let Some(column) = table.columns.last_mut() {
             column.name = Some(name.into());
             column.cell = Box::new(move |row| cell(row).into());
@@ -186,7 +172,7 @@ impl<'a, Row: 'a> Table<'a, Row> {
     /// The table for people.
     pub fn grid(&self) -> Grid {
         let people: Vec<&People<'_, Row>> = self.columns.iter().filter_map(|column| column.people.as_ref()).collect();
-        let headings = people.iter().map(|column| (column.heading.to_string(), column.unit));
+        let headings = people.iter().map(|column| column.heading.clone());
         let row = |row: &Row| people.iter().map(|column| (column.text)(row)).collect();
         Grid::of(headings, self.rows.iter().map(row).collect())
     }

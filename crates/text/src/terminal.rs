@@ -13,9 +13,22 @@ const BLOCK_CELL: usize = 14;
 
 /// Lines with a word before the first; long lines are broken between words.
 pub fn paragraph(label: &str, text: &str) -> String {
-    let broken: Vec<String> = visible(text).lines().flat_map(|line| broken(line, WIDTH - LABEL)).collect();
-    let indent = " ".repeat(LABEL);
-    format!("{label:LABEL$}{}\n", broken.join(&format!("\n{indent}")))
+    behind(label, LABEL, text)
+}
+
+/// Facts of the form `name: value`, the values below each other.
+pub(crate) fn facts(lines: &[String]) -> String {
+    let facts: Vec<(&str, &str)> = lines.iter().map(|line| line.split_once(": ").unwrap_or(("", line))).collect();
+    let widest = facts.iter().map(|(name, _)| length(name) + 2).max().unwrap_or(0);
+    let fact = |(name, value): &(&str, &str)| behind(&visible(name), widest.max(LABEL), value);
+    facts.iter().map(fact).collect()
+}
+
+/// Lines that begin in a column, with a word before the first.
+fn behind(label: &str, column: usize, text: &str) -> String {
+    let broken: Vec<String> = visible(text).lines().flat_map(|line| broken(line, WIDTH - column)).collect();
+    let indent = " ".repeat(column);
+    format!("{label:column$}{}\n", broken.join(&format!("\n{indent}")))
 }
 
 fn length(text: &str) -> usize {
@@ -187,7 +200,7 @@ mod tests {
         let headings = [("Pair", ""), ("Largest impulse", "kN·s"), ("Collisions", "")];
         let impulse = || Shown::from("12.3").over(Some("0.2 %".into()));
         let row = |name: &&str| vec![Shown::from(*name).over(Some("error".into())), impulse(), "3".into()];
-        Grid::of(headings.map(|(text, unit)| (text.into(), unit)), names.iter().map(row).collect())
+        Grid::of(headings, names.iter().map(row).collect())
     }
 
     #[test]

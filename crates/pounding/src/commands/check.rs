@@ -2,13 +2,12 @@
 
 mod json;
 
-use pounding::text::Refused;
 use std::path::PathBuf;
 
 use pounding::report::{method_facts, other_direction_exact, record_facts};
 use pounding::scene::{Columns, ContactLimit, Excess, FreeLimit, Implausible, Limits, RunResult, STEPS_PER_CONTACT, Simulation, Structure};
 use pounding::solver::Opening;
-use pounding::text::{Answer, Form, Grid, NONE, Shown, Table, Where, digits, short};
+use pounding::text::{Answer, Form, Grid, NONE, Refused, Shown, Table, Where, digits, short};
 
 use crate::progress::Waiting;
 
@@ -20,7 +19,7 @@ Examples:
 The collisions to expect are those of the exact run. What neither direction of
 shaking needs is named.";
 
-/// What is asked of `check`.
+/// The arguments of `check`.
 #[derive(Debug, clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub(crate) struct Arguments {
@@ -32,11 +31,11 @@ pub(crate) struct Arguments {
     json: bool,
 }
 
-/// A scene, and what its exact run says of it.
+/// A scene, and the results of its exact run.
 struct Plan<'a> {
     prepared: &'a Simulation,
     expected: Option<Expected>,
-    /// What to know before believing a run.
+    /// Warnings before a run.
     warnings: Vec<String>,
 }
 
@@ -46,7 +45,7 @@ struct Expected {
     limits: Limits,
     /// The exact run under the reversed shaking; `None` if it fails.
     reversed: Option<RunResult>,
-    /// What the scene gives and needs in neither direction, or in its own if the reversed run fails.
+    /// Parts of the scene that neither direction needs; if the reversed run fails, those that the own direction does not need.
     unneeded: Vec<String>,
 }
 
@@ -62,7 +61,7 @@ impl Expected {
         }
     }
 
-    /// What may touch in either direction and is not modelled.
+    /// Floors that may touch in either direction and are not modelled.
     fn unwatched(&self, prepared: &Simulation) -> Vec<String> {
         let runs = std::iter::once(&self.outcome).chain(&self.reversed);
         let all = Excess::gathered(runs.map(|run| prepared.excesses(run))).into_iter();
@@ -70,7 +69,7 @@ impl Expected {
         all.map(|one| one.to_string()).collect()
     }
 
-    /// What is expected of a pair that does not touch in the direction of the scene.
+    /// The expectation for a pair that does not touch in the direction of the scene.
     fn apart(&self, pair: usize) -> &'static str {
         match &self.reversed {
             Some(run) if run.collisions_of(pair).next().is_some() => "reversed",
@@ -119,7 +118,9 @@ fn answer<'a>(plan: &'a Plan<'_>) -> Answer<'a> {
     let unusual = Implausible::lines(doubts.iter().map(|one| ("", one)));
     let besides = if unusual.is_empty() { "" } else { " besides what is unusual" };
     let warnings = if plan.warnings.is_empty() {
-        vec![format!("none of stability and e{besides}; the errors of the numbers are those of a run")]
+        vec![format!(
+            "none of stability and e{besides}; the errors of the numbers are those of a run"
+        )]
     } else {
         plan.warnings.clone()
     };
@@ -142,7 +143,7 @@ fn answer<'a>(plan: &'a Plan<'_>) -> Answer<'a> {
         .with_json(|| json::of(plan))
 }
 
-/// What is said in place of a table of pairs where there is none.
+/// The sentence in place of an empty table of pairs.
 fn no_pairs(prepared: &Simulation) -> Vec<String> {
     let none = prepared.floors().facing().is_empty();
     none.then(|| "none: no contact is modelled".into()).into_iter().collect()
@@ -155,7 +156,7 @@ const NOTES: [&str; 2] = [
      e are those of a free collision at that speed, e that of the law and what the method makes of it.",
 ];
 
-/// What of the scene is modelled, and what is left out because the scene does not require it.
+/// The parts of the scene that are modelled, and those that are left out because the scene does not require them.
 fn model_lines(plan: &Plan<'_>) -> Vec<String> {
     let prepared = plan.prepared;
     let floors = prepared.floors();
@@ -190,7 +191,7 @@ fn model_lines(plan: &Plan<'_>) -> Vec<String> {
         format!("contact: {contact};"),
         "no histories unless `run --out` asks for them".into(),
     ];
-    // What is asked for is modelled, so that a run can tell; what the exact run needs of it is said.
+    // Parts that the scene gives are modelled even if the exact run does not need them, which is said here.
     let unneeded = plan.expected.iter().flat_map(|expected| &expected.unneeded);
     let both = plan.expected.iter().any(|one| one.reversed.is_some());
     let directions = if both { "in neither direction" } else { "in this direction" };
@@ -199,7 +200,7 @@ fn model_lines(plan: &Plan<'_>) -> Vec<String> {
     lines
 }
 
-/// How far bases of neighbours move apart, or closer, where the ground motion travels along the row.
+/// How far bases of neighbours move apart or closer, if the ground motion travels along the row.
 fn travel_line(prepared: &Simulation) -> Option<String> {
     let openings = prepared.openings();
     let by_size = |one: &(usize, &Opening), other: &(usize, &Opening)| one.1.distance.abs().total_cmp(&other.1.distance.abs());
@@ -220,7 +221,7 @@ fn travel_line(prepared: &Simulation) -> Option<String> {
     ))
 }
 
-/// What the run will cost, and the exact one.
+/// The cost of the run and of the exact run.
 fn cost_lines(prepared: &Simulation, expected: &RunResult) -> String {
     let exact = expected.work.segments;
     let exact_lines = format!("the exact run: {exact} pieces of motion, {} events", expected.work.events);
@@ -245,7 +246,7 @@ fn structures(prepared: &Simulation) -> Grid {
         .grid()
 }
 
-/// Yield force of a structure \[kN\]; of storeys that differ the least and the largest, and that some stay elastic.
+/// Yield force of a structure \[kN\]: the least and the largest if storeys differ, and how many yield if some stay elastic.
 fn yields_at(structure: &Structure) -> String {
     let forces = structure.yield_forces();
     let known: Vec<f64> = forces.iter().flatten().copied().collect();
@@ -264,14 +265,14 @@ fn yields_at(structure: &Structure) -> String {
     }
 }
 
-/// What is expected of a pair that does not touch as the scene shakes it, or its largest collision.
+/// The largest collision of a pair, or the expectation for a pair that does not touch in the direction of the scene.
 struct ExpectedPair<'a> {
     index: usize,
     touch: Result<&'a ContactLimit, &'static str>,
 }
 
 impl ExpectedPair<'_> {
-    /// A number of the free collision at the largest speed; empty of a pair that does not touch.
+    /// A number of the free collision at the largest speed; empty for a pair that does not touch.
     fn free(&self, number: impl Fn(&FreeLimit) -> Option<String>) -> Shown {
         match self.touch {
             Ok(limit) => limit.free.as_ref().and_then(number).into(),
@@ -313,7 +314,9 @@ fn pairs(prepared: &Simulation, expected: &Expected) -> Grid {
         .shown("Steps", |one| one.free(|free| free.steps.map(steps)))
         .shown_in("ms", "Limit", ExpectedPair::limit)
         .shown("e", |one| one.free(|free| free.restitution.map(|e| format!("{e:.3}"))))
-        .shown("Method's e", |one| one.free(|free| free.delivered.map(|delivered| between(delivered.range))))
+        .shown("Method's e", |one| {
+            one.free(|free| free.delivered.map(|delivered| between(delivered.range)))
+        })
         .grid()
 }
 

@@ -1,15 +1,15 @@
 //! `pounding demo`: a scene, its record and its results, with nothing needed.
 
-use pounding::text::{Form, Refused, Where};
 use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 
 use pounding::files::holds;
 use pounding::report::{Report, other_direction};
+use pounding::text::{Form, Refused, Where};
 
 use crate::folder::Out;
-use crate::progress::Waiting;
 use crate::new_file;
+use crate::progress::Waiting;
 
 const EXAMPLES: &str = "\
 Example:
@@ -18,14 +18,14 @@ Example:
 Writes pounding-demo/scene.toml, its record and pounding-demo/results, and ends
 with the table of the run; open pounding-demo/results/report.html.";
 
-/// What the folder holds besides the results.
+/// Files of the folder besides the results.
 const FILES: [(&str, &str); 2] = [
     (SCENE, include_str!("demo/scene.toml")),
     ("el-centro.csv", include_str!("../../assets/el-centro-1940-ns-chopra.csv")),
 ];
 const SCENE: &str = "scene.toml";
 
-/// What is asked of `demo`.
+/// The arguments of `demo`.
 #[derive(Debug, clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub(crate) struct Arguments {
@@ -59,7 +59,7 @@ pub(crate) fn run(args: &Arguments) -> Result<String, Refused> {
     Ok(answer.text(Form::Brief))
 }
 
-/// Writes a file that is not there, or leaves one that is as it should be.
+/// Writes a file; leaves one with this text, and refuses one with another.
 fn write(path: &Path, text: &str) -> Result<(), Refused> {
     match holds(path, text.as_bytes()) {
         Ok(true) => Ok(()),

@@ -2,12 +2,12 @@
 
 mod batch;
 
-use pounding::text::{Form, Kind, Refused, Where};
 use std::path::{Path, PathBuf};
 
 use pounding::report::{Report, other_direction};
 use pounding::scene::{Effects, Error, Implausible, Simulation};
 use pounding::solver::LedgerError;
+use pounding::text::{Form, Kind, Refused, Where};
 
 use super::declared::Declared;
 use crate::folder::Out;
@@ -36,7 +36,7 @@ Of a folder of records verticals, velocities, copies, and records in boreholes
 or on structures are left out. Records lists them with the reason, and those
 whose direction nothing tells: they count as horizontal.";
 
-/// What is asked of `run`.
+/// The arguments of `run`.
 #[derive(Debug, clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub(crate) struct Arguments {
@@ -74,7 +74,7 @@ struct How {
     force: bool,
 }
 
-/// What is printed.
+/// How the answer is printed.
 #[derive(Debug, clap::Args)]
 struct Shown {
     /// Run the direction of the scene only; by default the first lines also say
@@ -89,7 +89,7 @@ struct Shown {
     json: bool,
 }
 
-/// Under which records.
+/// The records of a folder.
 #[derive(Debug, clap::Args)]
 struct Suite {
     /// Run the scene under every record of a folder instead of its own.
@@ -112,13 +112,13 @@ struct Results {
     /// text, CSV and JSON.
     #[arg(long, value_name = "FOLDER")]
     out: Option<PathBuf>,
-    /// Also where the folder holds other things; they stay.
+    /// Write into a folder that holds other things; they stay.
     #[arg(long, requires = "out")]
     overwrite: bool,
 }
 
 impl Results {
-    /// Takes the folder, where one is asked for.
+    /// Takes the folder, if one is asked for.
     fn open(&self) -> Result<Option<Out>, Refused> {
         let open = |out: &PathBuf| Out::open(out, self.overwrite);
         self.out.as_ref().map(open).transpose()
@@ -185,7 +185,7 @@ const NO_FOLDER: &str = "found what files do not say (--unit, --time-step, --per
 const EFFECTS_ARE_EXACT: &str =
     "; --effects always uses the exact method, whatever the scene says: without it the scene runs by its own method";
 
-/// Why a run failed, with what looks wrong in its scene: that may be the reason.
+/// The refusal of a run that failed, with unusual values of its scene, which may be the reason.
 fn with_doubts(args: &Arguments, refused: Refused, prepared: &Simulation) -> Refused {
     // JSON has the parts of one refusal; `check --json` has what is unusual.
     if args.shown.json {
@@ -202,7 +202,7 @@ fn with_doubts(args: &Arguments, refused: Refused, prepared: &Simulation) -> Ref
     }
 }
 
-/// The message of a scene that is refused; of what `--force` prints all the same, with a hint at it.
+/// The refusal of a scene, with a hint at `--force` if that would print its numbers.
 fn hint(error: Error, path: &Path) -> Refused {
     let is_forced = matches!(error, Error::Broken { .. }) || error.refused().is_kind(Kind::Unstable);
     let is_exact = matches!(

@@ -20,7 +20,11 @@ pub(super) fn scene(prepared: &Simulation, review: &Review) -> Vec<String> {
     let (_, peak) = prepared.record().peak();
     vec![
         scene.name.clone(),
-        format!("{}, peak {} g", scene.record.source, short(peak.abs() / scene.record.gravity_m_per_s2)),
+        format!(
+            "{}, peak {} g",
+            scene.record.source,
+            short(peak.abs() / scene.record.gravity_m_per_s2)
+        ),
         format!(
             "{} s by {method}{steps}, {}: {}",
             digits(prepared.duration()),
@@ -47,12 +51,16 @@ fn errors(errors: &Errors) -> String {
 /// The pairs that touch, the hardest first.
 pub(super) fn pairs(prepared: &Simulation, outcome: &RunResult) -> Grid {
     Table::of(Blow::all(outcome))
-        .shown("Floors that touch, the hardest first", |blow| prepared.floors().names(blow.pair).join(" – "))
+        .shown("Floors that touch, the hardest first", |blow| {
+            prepared.floors().names(blow.pair).join(" – ")
+        })
         .shown_in("mm", "Gap", |blow| digits(1e3 * prepared.pairs()[blow.pair].gap()))
         .shown("Times", |blow| outcome.of_pair(blow.pair).collisions)
         .shown_in("m/s", "Approach", |blow| blow.speed.map(short))
         .shown_in("kN·s", "Impulse", |blow| short(1e-3 * blow.impulse))
-        .shown_in("kN", "Force", |blow| blow.force.map_or("impulsive".into(), |force| short(1e-3 * force)))
+        .shown_in("kN", "Force", |blow| {
+            blow.force.map_or("impulsive".into(), |force| short(1e-3 * force))
+        })
         .grid()
         .most(MOST)
 }
@@ -68,7 +76,7 @@ pub(super) fn apart(prepared: &Simulation, outcome: &RunResult) -> Vec<String> {
     }
 }
 
-/// Numbers of a building of which the first screen has the worst.
+/// Numbers whose worst floor of each building the first screen shows.
 const WORST: [FloorQuantity; 5] = [
     FloorQuantity::PeakDisplacementM,
     FloorQuantity::PeakDriftM,
@@ -96,7 +104,9 @@ pub(super) fn buildings(prepared: &Simulation, words: &InWords<'_>) -> Grid {
     };
     let scene = prepared.scene();
     let moving = 0..scene.structures.len();
-    let moving: Vec<usize> = moving.filter(|one| worst(*one, FloorQuantity::PeakDisplacementM).is_some()).collect();
+    let moving: Vec<usize> = moving
+        .filter(|one| worst(*one, FloorQuantity::PeakDisplacementM).is_some())
+        .collect();
     let has_storeys = floors.all().iter().any(|floor| floor.storey.is_some());
     let known = WORST.into_iter().filter(|quantity| {
         let is_drift = *quantity == FloorQuantity::PeakDriftM;

@@ -1,4 +1,4 @@
-//! What pounding does to every storey.
+//! The effects of pounding on every storey.
 
 use pounding_scene::{Effects, FloorEffects, Known, NOTHING_TOUCHES, ROBUST, Simulation};
 use pounding_text::{Answer, Grid, Manner, Shown, Table, Where, digits, percent, short, two_decimals};
@@ -40,11 +40,15 @@ fn table(prepared: &Simulation, effects: &Effects, full: bool) -> Grid {
         .shown("Storey, direction", |(direction, floor)| format!("{}, {direction}", floor.name))
         .shown("Collisions", move |(_, floor)| known(&floor.collisions, 1.0, digits))
         .shown_in("kN·s", "Sum of impulses", move |(_, floor)| known(&floor.impulse_n_s, 1e-3, short));
-    let responses = [("Drift", "mm", 1e3), ("Shear", "kN", 1e-3), ("Acceleration", "m/s²", 1.0)].into_iter().enumerate();
+    let responses = [("Drift", "mm", 1e3), ("Shear", "kN", 1e-3), ("Acceleration", "m/s²", 1.0)]
+        .into_iter()
+        .enumerate();
     let table = responses.fold(table, |table, (response, (name, unit, factor))| {
         let effect = move |floor: &FloorEffects| floor.responses()[response];
         let table = if full {
-            table.shown_in(unit, name, move |(_, floor)| effect(floor).map(|effect| short(factor * effect.beside)))
+            table.shown_in(unit, name, move |(_, floor)| {
+                effect(floor).map(|effect| short(factor * effect.beside))
+            })
         } else {
             table
         };

@@ -1,4 +1,4 @@
-//! What was run, as facts: the ground motion, the method, how far the numbers are from the exact run, work and energy.
+//! Facts about a run: the ground motion, the method, how far the numbers are from the exact run, work and energy.
 
 use pounding_scene::{Errors, LEAST_PART, Method, PairErrors, QuantityGroup, Review, Simulation};
 use pounding_solver::Work;
@@ -74,15 +74,18 @@ pub fn method_facts(prepared: &Simulation) -> Vec<String> {
     facts
 }
 
-/// What is said of a method that was looked for.
+/// The cost of the search for a method.
 const SEARCHED: &str = "looking for it took the exact run and many others, so that for one run it saves nothing";
 
 /// The states that histories keep.
 pub(super) fn histories(summary: &Summary, sampling: &str) -> Vec<String> {
-    vec![format!("histories: every {} s: {sampling}", digits(summary.method.history_interval_s))]
+    vec![format!(
+        "histories: every {} s: {sampling}",
+        digits(summary.method.history_interval_s)
+    )]
 }
 
-/// What is known of the errors.
+/// The errors, or why they are not known.
 pub(super) fn errors(prepared: &Simulation, review: &Review) -> Vec<String> {
     let said = match &review.errors {
         Errors::Exact => match prepared.scene().method {

@@ -1,4 +1,4 @@
-//! What a run found, once, for the terminal and the page; `summary.json` is what it found for programs.
+//! The answer of a run, once, for the terminal and the page; `summary.json` is the answer for programs.
 
 mod brief;
 mod effects;
@@ -38,7 +38,12 @@ impl Report<'_> {
             .figure("displacements")
             .heading("Pairs")
             .table(Where::Details, tables::pairs(prepared, &words))
-            .say_as(Where::Everywhere, Manner::Soft, "Leaning", tables::leaning(prepared, &review.outcome))
+            .say_as(
+                Where::Everywhere,
+                Manner::Soft,
+                "Leaning",
+                tables::leaning(prepared, &review.outcome),
+            )
             .say(Where::Page, "", no_pairs(&summary))
             .figure("gaps")
             .heading_of("Collisions", tables::collisions(prepared, &review.outcome));
@@ -58,7 +63,7 @@ impl Report<'_> {
             .with_json(|| self.summary().to_json())
     }
 
-    /// What was run: the scene, its ground motion, the method, and where the energy went.
+    /// Adds the facts of the run: the scene, its ground motion, the method, and where the energy went.
     fn made_of<'a>(&self, answer: Answer<'a>, summary: &Summary) -> Answer<'a> {
         let (prepared, review) = (self.prepared, self.review());
         answer
@@ -72,13 +77,18 @@ impl Report<'_> {
             .heading("Method")
             .say_as(Where::Details, Manner::Facts, "Method", method_facts(prepared))
             .say_as(Where::Details, Manner::Facts, "Errors", facts::errors(prepared, review))
-            .say_as(Where::Details, Manner::Facts, "Histories", facts::histories(summary, self.sampling.words))
+            .say_as(
+                Where::Details,
+                Manner::Facts,
+                "Histories",
+                facts::histories(summary, self.sampling.words),
+            )
             .say_as(Where::Details, Manner::Facts, "Work", facts::work(review))
             .heading("Energy")
             .say_as(Where::Details, Manner::Facts, "Energy", facts::ledger(summary))
     }
 
-    /// What both directions of shaking do, the worse one first, where both ran.
+    /// Adds the results of both directions of shaking, the worse one first, if both ran.
     fn both_directions<'a>(&self, answer: Answer<'a>) -> Answer<'a> {
         let Some(directions) = &self.directions else {
             return answer;
@@ -93,7 +103,7 @@ impl Report<'_> {
             .say(Where::Page, "", vec!["In the direction of the scene:".into()])
     }
 
-    /// What to know before believing the run, and what helps.
+    /// Adds the warnings, and what helps against them.
     fn warnings<'a>(&self, answer: Answer<'a>) -> Answer<'a> {
         let mut warnings = self.notices();
         let is_error = |one: &Warning| matches!(one, Warning::Error { .. });
@@ -112,14 +122,13 @@ impl Report<'_> {
     }
 }
 
-/// What the page says in place of a table of pairs where there is none.
+/// The sentence of the page in place of an empty table of pairs.
 fn no_pairs(summary: &Summary) -> Vec<String> {
     let none = summary.pairs.is_empty();
     none.then(|| "None: no contact is modelled.".into()).into_iter().collect()
 }
 
-const MORE: &str =
-    "--details prints every floor, the record, errors and work; --out FOLDER writes a report; `pounding explain WORD` says what a word means";
+const MORE: &str = "--details prints every floor, the record, errors and work; --out FOLDER writes a report; `pounding explain WORD` says what a word means";
 
 /// A heading that comes with its table.
 trait HeadingOf {

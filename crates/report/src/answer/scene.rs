@@ -16,7 +16,7 @@ impl Modelled<'_> {
         number(&self.floor?.1)
     }
 
-    /// A number of the building: it stands beside the first storey.
+    /// A number of the building, in the row of its first storey.
     fn building(&self, number: Option<f64>) -> Shown {
         match self.floor {
             None => NONE.into(),
@@ -48,7 +48,12 @@ pub(super) fn structures(prepared: &Simulation) -> Grid {
     let rows = structures.flat_map(|(index, structure)| {
         let own = floors.of_structure(index).iter().map(|floor| &floors.all()[*floor]);
         let own = own.filter_map(|floor| Some((floor, floor.made_of?)));
-        let rows: Vec<_> = own.map(|floor| Modelled { structure, floor: Some(floor) }).collect();
+        let rows: Vec<_> = own
+            .map(|floor| Modelled {
+                structure,
+                floor: Some(floor),
+            })
+            .collect();
         if rows.is_empty() {
             vec![Modelled { structure, floor: None }]
         } else {
@@ -57,12 +62,17 @@ pub(super) fn structures(prepared: &Simulation) -> Grid {
     });
     Table::of(rows)
         .shown("Structure", Modelled::name)
-        .shown_in("t", "Mass", |one| one.storey(|made| Some(made.mass_kg)).map(|mass| short(1e-3 * mass)))
+        .shown_in("t", "Mass", |one| {
+            one.storey(|made| Some(made.mass_kg)).map(|mass| short(1e-3 * mass))
+        })
         .shown_in("MN/m", "Stiffness", |one| {
-            one.storey(|made| Some(made.columns.stiffness_n_per_m)).map(|stiffness| short(1e-6 * stiffness))
+            one.storey(|made| Some(made.columns.stiffness_n_per_m))
+                .map(|stiffness| short(1e-6 * stiffness))
         })
         .shown_in("m", "Height", |one| one.storey(|made| made.height_m).map(digits))
-        .shown_in("kN", "Yields at", |one| one.storey(|made| made.columns.yield_force_n).map(|force| short(1e-3 * force)))
+        .shown_in("kN", "Yields at", |one| {
+            one.storey(|made| made.columns.yield_force_n).map(|force| short(1e-3 * force))
+        })
         .shown("Columns", |one| match one.floor {
             Some((_, made)) => Shown::from(kind(&made.columns)).over(shape(&made.columns)),
             None => NONE.into(),

@@ -19,7 +19,9 @@ fn numbers<'a, Q: Into<Quantity> + Copy>(
     let table = quantities.iter().fold(places, |table, quantity| {
         let quantity = (*quantity).into();
         let about = quantity.about();
-        table.shown_in(about.unit.shown, about.heading, move |place| cell(words, of_place(quantity, *place), *place))
+        table.shown_in(about.unit.shown, about.heading, move |place| {
+            cell(words, of_place(quantity, *place), *place)
+        })
     });
     table.grid()
 }
@@ -33,24 +35,38 @@ fn cell(words: &InWords<'_>, quantity: Quantity, place: usize) -> Shown {
 }
 
 /// Places of floors under a word, with their names.
-fn floors<'a>(prepared: &'a Simulation, words: &'a InWords<'_>, heading: &'static str, is_shown: impl Fn(&Floor) -> bool) -> Table<'a, usize> {
+fn floors<'a>(
+    prepared: &'a Simulation,
+    words: &'a InWords<'_>,
+    heading: &'static str,
+    is_shown: impl Fn(&Floor) -> bool,
+) -> Table<'a, usize> {
     let floors = prepared.floors();
     let shown = floors.by_structure().filter(|floor| is_shown(&floors.all()[*floor]));
     let below = words.is_measured().then(|| "error".to_owned());
-    Table::of(shown).shown(heading, move |floor| Shown::from(floors.all()[*floor].name.as_str()).over(below.clone()))
+    Table::of(shown).shown(heading, move |floor| {
+        Shown::from(floors.all()[*floor].name.as_str()).over(below.clone())
+    })
 }
 
 /// Peaks of every floor and wall.
 pub(super) fn structures(prepared: &Simulation, words: &InWords<'_>) -> Grid {
-    numbers(words, floors(prepared, words, "Structure", |_| true), STRUCTURES, |quantity, _| quantity)
+    numbers(words, floors(prepared, words, "Structure", |_| true), STRUCTURES, |quantity, _| {
+        quantity
+    })
 }
 
-/// What is left of the motion at the end, and what stands on the floors feels of it.
+/// The motion that is left at the end, and the shaking of objects on the floors.
 pub(super) fn motions(prepared: &Simulation, words: &InWords<'_>) -> Grid {
-    numbers(words, floors(prepared, words, "Structure", |floor| !floor.is_wall()), MOTIONS, |quantity, _| quantity)
+    numbers(
+        words,
+        floors(prepared, words, "Structure", |floor| !floor.is_wall()),
+        MOTIONS,
+        |quantity, _| quantity,
+    )
 }
 
-/// Drifts of the storeys of buildings, from the ground up; no rows where every structure has one storey.
+/// Drifts of the storeys of buildings, from the ground up; no rows if every structure has one storey.
 pub(super) fn storeys(prepared: &Simulation, words: &InWords<'_>) -> Grid {
     let storeys = floors(prepared, words, "Storey", |floor| floor.storey.is_some());
     numbers(words, storeys, STOREYS, |quantity, floor| match quantity {
@@ -62,12 +78,13 @@ pub(super) fn storeys(prepared: &Simulation, words: &InWords<'_>) -> Grid {
 /// Collisions of every pair.
 pub(super) fn pairs(prepared: &Simulation, words: &InWords<'_>) -> Grid {
     let law = |pair: usize| prepared.pairs()[pair].law.name().replace('_', " ");
-    let pairs = Table::of(prepared.floors().pairs_by_contact())
-        .shown("Pair", move |pair| Shown::from(prepared.floors().names(*pair).join(" – ")).over(Some(law(*pair))));
+    let pairs = Table::of(prepared.floors().pairs_by_contact()).shown("Pair", move |pair| {
+        Shown::from(prepared.floors().names(*pair).join(" – ")).over(Some(law(*pair)))
+    });
     numbers(words, pairs, PAIRS, |quantity, _| quantity)
 }
 
-/// What the tables of structures mean.
+/// Notes on the tables of structures.
 pub(super) fn notes(prepared: &Simulation) -> String {
     format!(
         "Accelerations are absolute, that of the ground included, impulsive impacts left out. Residual is the displacement at the end of the \
@@ -76,13 +93,17 @@ pub(super) fn notes(prepared: &Simulation) -> String {
     )
 }
 
-/// Pairs that lean on each other, in a sentence; nothing where none does.
+/// A sentence about pairs that lean on each other; empty if none does.
 pub(super) fn leaning(prepared: &Simulation, outcome: &RunResult) -> Vec<String> {
     let floors = prepared.floors();
     let said = |pair: usize| {
         let one = outcome.of_pair(pair).leaning()?;
         let names = floors.names(pair).join(" – ");
-        Some(format!("{names} for {} s from {} s on", short(one.end - one.start), instant(one.start)))
+        Some(format!(
+            "{names} for {} s from {} s on",
+            short(one.end - one.start),
+            instant(one.start)
+        ))
     };
     let said: Vec<String> = floors.pairs_by_contact().into_iter().filter_map(said).collect();
     if said.is_empty() {

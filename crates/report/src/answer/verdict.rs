@@ -66,7 +66,7 @@ fn exact_collisions(summary: &Summary) -> Option<usize> {
     exact.sum()
 }
 
-/// What exact motion has instead of so many touches, behind them.
+/// The number of touches in exact motion, if it differs.
 fn against(n: usize, exact: Option<usize>) -> String {
     match exact {
         Some(0) => " in this run; exact motion has no touch".into(),
@@ -75,19 +75,24 @@ fn against(n: usize, exact: Option<usize>) -> String {
     }
 }
 
-/// What is said where this run has no touch and exact motion does.
+/// The sentence for a run without a touch whose exact motion has one.
 fn missed(summary: &Summary) -> Vec<String> {
     let pairs = summary.pairs.iter().filter_map(|pair| {
         let exact = pair.errors.as_ref()?.exact_collisions;
         let collisions = if exact == 1 { "collision" } else { "collisions" };
-        let said = || format!("{} – {}: exact motion has {exact} {collisions}, this run none", pair.left, pair.right);
+        let said = || {
+            format!(
+                "{} – {}: exact motion has {exact} {collisions}, this run none",
+                pair.left, pair.right
+            )
+        };
         (exact > 0).then(said)
     });
     let first = "The steps of this run miss the touches that exact motion has.".to_owned();
     std::iter::once(first).chain(pairs).collect()
 }
 
-/// What is said where nobody touches.
+/// The sentence for a run in which nothing touches.
 fn apart(summary: &Summary, review: &Review) -> Vec<String> {
     let pairs = summary.pairs.iter();
     let nearest = pairs.min_by(|one, other| one.least_opening().total_cmp(&other.least_opening()));

@@ -66,7 +66,9 @@ impl AssessmentReport {
             .say(Where::Page, "", vec![forces])
             .table(Where::Everywhere, first(&self.pairs(hit)));
         if let (Some(pairs), Some(storeys)) = (self.bumper_pairs(), self.bumper_storeys()) {
-            answer = answer.heading("Bumpers in the gaps").say(Where::Page, "", vec![self.bumper_says().join(" ")]);
+            answer = answer
+                .heading("Bumpers in the gaps")
+                .say(Where::Page, "", vec![self.bumper_says().join(" ")]);
             if self.bumpers().is_some_and(|effect| !effect.is_too_thin()) {
                 answer = answer.table(Where::Details, pairs.grid()).table(Where::Details, storeys.grid());
             }

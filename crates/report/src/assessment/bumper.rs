@@ -1,4 +1,4 @@
-//! What an assessment says of bumpers in the gaps.
+//! Sentences of an assessment about bumpers in the gaps.
 
 use pounding_scene::{Bumper, BumperEffect, COMPRESSION, Distribution};
 use pounding_text::{millimetres, short, two_decimals, two_digits};
@@ -97,7 +97,7 @@ impl AssessmentReport {
         )]
     }
 
-    /// The same for machines; null without bumpers.
+    /// The effect of bumpers for programs; null without bumpers.
     pub(super) fn bumper_json(&self) -> Value {
         let Some(effect) = &self.bumper else {
             return Value::Null;

@@ -38,11 +38,11 @@ pub struct AssessedMotion {
     pub bumper: Option<BumperRun>,
     /// Its spectrum, if it is scaled to one.
     pub spectrum: Option<MotionSpectrum>,
-    /// What it does.
+    /// Results of the run.
     pub run: AssessedRun,
 }
 
-/// What became of the motions of a folder.
+/// The motions of a folder that were used or left out.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct FolderOfMotions {
     /// How many records may be missing, in a sentence: they cannot be read, are refused, or failed.
@@ -51,16 +51,16 @@ pub struct FolderOfMotions {
     pub counts: String,
     /// What shakes nothing, for machines.
     pub left_out: Value,
-    /// What is said of all of these, and of what was declared or is not told.
+    /// Sentences about failures, files that are left out, and declarations.
     pub remarks: Vec<String>,
 }
 
 /// How records are scaled.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ScalingAsked {
-    /// What they are scaled to.
+    /// The target.
     pub to: Scaling,
-    /// How it was asked for, in the words of the command line; `None` if the scene says it.
+    /// The options of the command line that asked for it; `None` if the scene did.
     pub words: Option<String>,
 }
 

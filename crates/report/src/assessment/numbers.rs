@@ -1,4 +1,4 @@
-//! Every number of an assessment on a line of its own, for programs.
+//! Every number of an assessment on a separate line, for programs.
 
 use pounding_scene::Rule;
 use pounding_text::{Cell, Table};
@@ -10,15 +10,25 @@ impl AssessmentReport {
     /// A line for each number \[SI\]: record, reversed, building, floor, neighbour, quantity, value.
     pub(super) fn numbers(&self) -> Table<'_, (&AssessedMotion, SitedNumber)> {
         let rows = self.motions.iter().flat_map(|motion| {
-            let numbers = [self.of_gaps(motion), self.of_floors(motion), self.of_pairs(motion), self.with_bumper(motion)].concat();
+            let numbers = [
+                self.of_gaps(motion),
+                self.of_floors(motion),
+                self.of_pairs(motion),
+                self.with_bumper(motion),
+            ]
+            .concat();
             numbers.into_iter().map(move |number| (motion, number))
         });
         let table = Table::of(rows)
             .column("record", |(motion, _)| motion.name.as_str())
             .column("reversed", |(motion, _)| motion.reversed)
             .column("scale_factor", |(motion, _)| Cell::exact(motion.run.scale))
-            .column("neighbour_period_s", |(motion, _)| Cell::exact(motion.neighbour.map(|one| one.period_s)))
-            .column("neighbour_mass_ratio", |(motion, _)| Cell::exact(motion.neighbour.map(|one| one.mass_ratio)));
+            .column("neighbour_period_s", |(motion, _)| {
+                Cell::exact(motion.neighbour.map(|one| one.period_s))
+            })
+            .column("neighbour_mass_ratio", |(motion, _)| {
+                Cell::exact(motion.neighbour.map(|one| one.mass_ratio))
+            });
         Site::columns(table, |(_, number)| &number.site)
             .column("quantity", |(_, number)| Cell::from(number.quantity.as_str()))
             .column("value", |(_, number)| Cell::exact(number.value))
@@ -99,7 +109,9 @@ impl AssessmentReport {
             .map(|(quantity, value)| SitedNumber::at(&site, quantity, value))
         });
         let pairs = run.pairs.iter().zip(self.facing()).flat_map(|(pair, site)| {
-            let force = pair.peak_force.map(|force| SitedNumber::at(&site, "peak_force_with_bumper_n", force));
+            let force = pair
+                .peak_force
+                .map(|force| SitedNumber::at(&site, "peak_force_with_bumper_n", force));
             let compression = SitedNumber::at(&site, "bumper_compression_m", pair.compression);
             force.into_iter().chain([compression])
         });

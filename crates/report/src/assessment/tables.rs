@@ -31,10 +31,11 @@ fn range(of: Option<&[Distribution; 2]>) -> Shown {
 }
 
 fn ends(of: Option<&[Distribution; 2]>) -> Cell {
-    of.map(|[low, high]| json!({"least": statistics(low), "largest": statistics(high)})).into()
+    of.map(|[low, high]| json!({"least": statistics(low), "largest": statistics(high)}))
+        .into()
 }
 
-/// What a rule makes of a gap.
+/// A gap and the width that a rule gives it.
 type RuleOfGap<'a> = (&'a GapAssessment, &'a RuleAssessment);
 
 impl AssessmentReport {
@@ -43,7 +44,7 @@ impl AssessmentReport {
         format!("{left} – {right}")
     }
 
-    /// What every gap needs.
+    /// The width that every gap needs.
     pub(super) fn gaps(&self) -> Table<'_, &GapAssessment> {
         let touching = match self.sample() {
             "event" => "Events that touch",
@@ -54,12 +55,19 @@ impl AssessmentReport {
             .column("left", |gap| self.gap_names(gap)[0])
             .column("right", |gap| self.gap_names(gap)[1])
             .number("gap_m", "Scene", &Unit::WIDTH, |gap| gap.own)
-            .both("touching", touching, |gap| gap.touching, |gap| format!("{} of {}", gap.touching, self.assessment.cases))
+            .both(
+                "touching",
+                touching,
+                |gap| gap.touching,
+                |gap| format!("{} of {}", gap.touching, self.assessment.cases),
+            )
             .column("touching_runs", |gap| gap.touching_runs)
             .number("required_m.median", "Median", &Unit::NEEDED, |gap| gap.required.median())
             .number("required_m.p84", "84 %", &Unit::NEEDED, |gap| gap.required.p84())
             .number("required_m.largest", "Largest", &Unit::NEEDED, |gap| gap.required.largest())
-            .number("required_m.dispersion", "Spread σ ln", &Unit::RATIO, |gap| gap.required.dispersion())
+            .number("required_m.dispersion", "Spread σ ln", &Unit::RATIO, |gap| {
+                gap.required.dispersion()
+            })
             .column("required_sorted_m", |gap| json!(gap.required))
             .column("beside_columns_m", |gap| Cell::exact(gap.beside_columns))
             .number("proposed_m", "Proposed", &Unit::WIDTH, |gap| gap.proposal())
@@ -70,7 +78,7 @@ impl AssessmentReport {
         self.of_rules(gap.rules.iter().map(move |rule| (gap, rule)))
     }
 
-    /// What the rules of codes make of every gap.
+    /// The widths of the rules of codes for every gap.
     pub(super) fn rules(&self) -> Table<'_, RuleOfGap<'_>> {
         let gaps = self.assessment.gaps.iter();
         self.of_rules(gaps.flat_map(|gap| gap.rules.iter().map(move |rule| (gap, rule))))
@@ -93,15 +101,25 @@ impl AssessmentReport {
             .number("least_share", "At worst", &Unit::WHOLE_PERCENT, |(_, rule)| rule.least_share)
     }
 
-    /// What touching does to these storeys.
+    /// The effects of touching on these storeys.
     pub(super) fn storeys<'a>(&'a self, floors: Vec<(usize, &'a FloorAssessment)>) -> Table<'a, (usize, &'a FloorAssessment)> {
         let floor = |index: usize| &self.floors.all()[index];
         Table::of(floors)
             .shown("When they touch, median / 84 %", move |(index, _)| floor(*index).name.as_str())
             .column("building", move |(index, _)| self.scene.structures[floor(*index).structure].name())
             .column("floor", move |(index, _)| floor(*index).storey.unwrap_or(1))
-            .both("drift_amplification", "Drift × alone", |(_, one)| statistics(&one.drift), |(_, one)| both(&one.drift))
-            .both("shear_amplification", "Shear × alone", |(_, one)| statistics(&one.shear), |(_, one)| both(&one.shear))
+            .both(
+                "drift_amplification",
+                "Drift × alone",
+                |(_, one)| statistics(&one.drift),
+                |(_, one)| both(&one.drift),
+            )
+            .both(
+                "shear_amplification",
+                "Shear × alone",
+                |(_, one)| statistics(&one.shear),
+                |(_, one)| both(&one.shear),
+            )
             .column("acceleration_amplification", |(_, one)| statistics(&one.acceleration))
             .both(
                 "acceleration_amplification_over_stiffness",
@@ -125,7 +143,9 @@ impl AssessmentReport {
     /// Every storey of every building, from the ground up.
     pub(super) fn every_storey(&self) -> Vec<(usize, &FloorAssessment)> {
         let floors = self.floors.by_structure();
-        floors.filter_map(|floor| Some((floor, self.assessment.floors[floor].as_ref()?))).collect()
+        floors
+            .filter_map(|floor| Some((floor, self.assessment.floors[floor].as_ref()?)))
+            .collect()
     }
 
     /// How hard these pairs meet.
@@ -139,20 +159,29 @@ impl AssessmentReport {
             .column("left", move |(index, _)| names(*index)[0].clone())
             .column("right", move |(index, _)| names(*index)[1].clone())
             .both("touching", "Events that touch", |(_, one)| one.touching, |(_, one)| one.touching)
-            .both("peak_force_n", "Force [kN]", |(_, one)| ends(one.peak_force.as_ref()), |(_, one)| range(one.peak_force.as_ref()))
+            .both(
+                "peak_force_n",
+                ("Force", "kN"),
+                |(_, one)| ends(one.peak_force.as_ref()),
+                |(_, one)| range(one.peak_force.as_ref()),
+            )
             .both(
                 "largest_impulse_n_s",
-                "Largest impulse [kN·s]",
+                ("Largest impulse", "kN·s"),
                 |(_, one)| ends(one.largest_impulse.as_ref()),
                 |(_, one)| range(one.largest_impulse.as_ref()),
             )
-            .number("approach_speed_m_per_s", "Speed up to", &Unit::ROUGH_SPEED, |(_, one)| one.approach_speed)
+            .number("approach_speed_m_per_s", "Speed up to", &Unit::ROUGH_SPEED, |(_, one)| {
+                one.approach_speed
+            })
     }
 
     /// Every run.
     pub(super) fn runs(&self) -> Table<'_, &AssessedMotion> {
         Table::of(&self.motions)
-            .shown("Motion", |one| format!("{}{}", one.name, if one.reversed { ", reversed" } else { "" }))
+            .shown("Motion", |one| {
+                format!("{}{}", one.name, if one.reversed { ", reversed" } else { "" })
+            })
             .column("record", |one| one.name.as_str())
             .column("event", |one| one.event + 1)
             .column("reversed", |one| one.reversed)
@@ -162,7 +191,7 @@ impl AssessmentReport {
             .shown("Collisions", |one| one.run.collisions())
     }
 
-    /// What bumpers make of the forces of pairs.
+    /// The effects of bumpers on the forces of pairs.
     pub(super) fn bumper_pairs(&self) -> Option<Table<'_, (usize, &pounding_scene::PairBumperEffect)>> {
         let force = |of: &Option<Distribution>| of.as_ref().map(|of| two_digits(1e-3 * of.median()));
         let effect = self.bumpers()?;
@@ -178,7 +207,7 @@ impl AssessmentReport {
         Some(table)
     }
 
-    /// What bumpers make of storeys.
+    /// The effects of bumpers on storeys.
     pub(super) fn bumper_storeys(&self) -> Option<Table<'_, (usize, &pounding_scene::FloorBumperEffect)>> {
         let effect = self.bumpers()?;
         let floors = effect.floors.iter().enumerate();

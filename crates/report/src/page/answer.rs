@@ -5,7 +5,7 @@ use pounding_text::{Answer, Grid, Manner, Part, Sentences, Shown, Where};
 use super::markup::{escaped, facts, list, signed};
 use super::{beside, boxed};
 
-/// The parts of an answer that stand on a page; `figure` draws the figure of a name, and gives nothing for one that there is none of.
+/// The parts of an answer for a page; `figure` draws the figure of a name, or returns `None` if the answer has no such figure.
 pub(crate) fn html(answer: &Answer<'_>, mut figure: impl FnMut(&str) -> String) -> String {
     let shown = |place: Where| matches!(place, Where::Everywhere | Where::Details | Where::Page);
     let parts = answer.parts().iter().filter(|(place, _)| shown(*place)).map(|(_, part)| part);
@@ -44,7 +44,10 @@ fn sentences(words: &Sentences) -> String {
             let (first, more) = answer.split_first().map_or(("", answer), |(first, more)| (first, more));
             let touch = if touch { " touch" } else { "" };
             let more = if more.is_empty() { String::new() } else { list(more) };
-            format!("<div class=\"verdict{touch}\">\n{before}<p><strong>{}</strong></p>\n{more}</div>\n", escaped(first))
+            format!(
+                "<div class=\"verdict{touch}\">\n{before}<p><strong>{}</strong></p>\n{more}</div>\n",
+                escaped(first)
+            )
         }
         Manner::Facts => {
             let fact = |line: &String| {
@@ -58,7 +61,10 @@ fn sentences(words: &Sentences) -> String {
 
 /// A table under its headings.
 pub(crate) fn table(grid: &Grid) -> String {
-    let headings = grid.headings.iter().map(|heading| format!("<th>{}</th>", escaped(&heading.title())));
+    let headings = grid
+        .headings
+        .iter()
+        .map(|heading| format!("<th>{}</th>", escaped(&heading.title())));
     let headings: String = headings.collect();
     let row = |cells: &Vec<Shown>| {
         let cells: String = cells.iter().map(cell).collect();
@@ -72,7 +78,10 @@ fn cell(shown: &Shown) -> String {
     let below = shown.below.as_ref();
     let below = below.map_or_else(String::new, |text| format!("<small>{}</small>", escaped(text)));
     let class = if shown.is_long { " class=\"text\"" } else { "" };
-    let is_number = shown.text.strip_prefix('-').is_some_and(|rest| rest.starts_with(|letter: char| letter.is_ascii_digit()));
+    let is_number = shown
+        .text
+        .strip_prefix('-')
+        .is_some_and(|rest| rest.starts_with(|letter: char| letter.is_ascii_digit()));
     let text = if is_number { signed(&shown.text) } else { shown.text.clone() };
     format!("<td{class}>{}{below}</td>", escaped(&text))
 }

@@ -31,7 +31,13 @@ const STYLE: &str = include_str!("style.css");
 pub(super) fn html(report: &Report<'_>, illustrations: &[Illustration], animation: &str) -> String {
     let summary = report.summary();
     let mut numbered = Numbered::of(illustrations);
-    let figure = |name: &str| if name == "animation" { animation.to_owned() } else { numbered.figure(name) };
+    let figure = |name: &str| {
+        if name == "animation" {
+            animation.to_owned()
+        } else {
+            numbered.figure(name)
+        }
+    };
     let body = [
         format!("<h1>{}</h1>\n<p>{}</p>\n", escaped(&summary.scene.name), escaped(&lead(&summary))),
         answer::html(&report.answer(), figure),
@@ -61,7 +67,7 @@ impl<'a> Numbered<'a> {
     }
 }
 
-/// A page of its own, from its title and markup; on paper the title and who signed it stand below every sheet.
+/// A complete page, from its title and markup; on paper the title and who signed it stand below every sheet.
 pub(crate) fn document(title: &str, signed: &str, body: &str) -> String {
     let below = match signed {
         "" => title.into(),
@@ -94,7 +100,7 @@ pub(crate) fn beside(parts: &[String]) -> String {
     format!("<div class=\"beside\">\n{}</div>\n", parts.concat())
 }
 
-/// What to know before the numbers are used, under a heading; nothing where there is nothing.
+/// Warnings under a heading; empty if there are none.
 pub(crate) fn boxed(heading: &str, items: &[String]) -> String {
     if items.is_empty() {
         return String::new();

@@ -1,7 +1,6 @@
 //! A certificate line by line, for people and for programs.
 
 use pounding_contact::{Clamp, LawName};
-use serde_json::{Map, Value, json};
 
 use crate::accuracy::methods::StepMethod;
 use crate::judge::certificate::{Certificate, CertificateRequest};
@@ -132,30 +131,4 @@ impl DeliveredBy {
             ("largest_error", Some(delivered.error)),
         ])
     }
-}
-
-/// A certificate for a program.
-pub fn certificate_json(facts: &[CertificateFact], methods: &[DeliveredBy]) -> Value {
-    let fact = |fact: &CertificateFact| {
-        let value = match &fact.said {
-            Said::Number(number) => json!(number),
-            Said::Words(words) => json!(words),
-        };
-        (fact.key.to_string(), value)
-    };
-    let mut object: Map<_, _> = facts.iter().map(fact).collect();
-    let method = |line: &DeliveredBy| {
-        let mut one = Map::new();
-        one.insert("method".into(), json!(line.method.name()));
-        one.insert("time_step_s".into(), json!(line.step));
-        for (key, value) in line.numbers().into_iter().flatten() {
-            one.insert(key.into(), json!(value));
-        }
-        if let Err(reason) = &line.delivered {
-            one.insert("failed".into(), json!(reason));
-        }
-        Value::Object(one)
-    };
-    object.insert("methods".into(), methods.iter().map(method).collect());
-    Value::Object(object)
 }

@@ -1,8 +1,6 @@
 //! Which method and time step reach an accuracy at the least cost: what was found.
 
-use serde_json::{Value, json};
-
-use crate::{Method, Scene};
+use crate::Method;
 
 /// The accuracy asked for.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -50,32 +48,6 @@ pub struct Advice {
 }
 
 impl Advice {
-    /// Every run of every method, the shortest step last; errors are null where a run failed or the numbers of collisions differ.
-    pub fn to_json(&self, scene: &Scene) -> Value {
-        let trial = |trial: &Trial| {
-            json!({
-                "name": trial.name,
-                "method": trial.method,
-                "error": trial.error.is_finite().then_some(trial.error),
-                "worst": trial.worst,
-                "cost": trial.cost,
-            })
-        };
-        let rungs = |rungs: &StepSizes| {
-            json!({
-                "chosen": rungs.chosen().map(trial),
-                "trials": rungs.trials.iter().map(trial).collect::<Vec<_>>(),
-            })
-        };
-        json!({
-            "scene": scene,
-            "goal": {"error": self.goal.error, "quantity": self.goal.quantity.name()},
-            "use": trial(self.best()),
-            "exact": trial(&self.exact),
-            "methods": self.methods.iter().map(rungs).collect::<Vec<_>>(),
-        })
-    }
-
     /// The cheapest run that meets the goal; the exact method when no cheaper one does.
     pub fn best(&self) -> &Trial {
         let meeting = self.methods.iter().filter_map(StepSizes::chosen);
