@@ -1,11 +1,11 @@
 //! The folder that `--out` names.
 
-use pounding::text::Refused;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 use pounding::files::{Others, ResultFolder};
 use pounding::report::RESULT_NAMES;
+use pounding::text::Refused;
 
 use crate::new_file;
 
@@ -17,7 +17,7 @@ impl Out {
     /// Takes a folder and checks that it can be written, before anything runs.
     ///
     /// # Errors
-    /// What stands in the way, and what to do about it.
+    /// Refuses a folder that cannot be written, and says what to do.
     pub(crate) fn open(path: &Path, overwrite: bool) -> Result<Self, Refused> {
         let others = if overwrite { Others::Stay } else { Others::Refused("--overwrite") };
         let folder = ResultFolder::open(path, RESULT_NAMES, others);
@@ -26,7 +26,7 @@ impl Out {
         Ok(Self(folder))
     }
 
-    /// Where it is.
+    /// Path of the folder.
     pub(crate) fn path(&self) -> &Path {
         self.0.path()
     }
@@ -43,7 +43,7 @@ impl Out {
     /// Refuses the folder of the records itself: results in it would be taken for records.
     ///
     /// # Errors
-    /// Says so.
+    /// Names the folder.
     pub(crate) fn apart_from(&self, records: &Path) -> Result<(), Refused> {
         let own = self.path().canonicalize();
         match (own, records.canonicalize()) {
@@ -59,7 +59,7 @@ impl Out {
     /// Writes files into the folder; what it holds besides results stays.
     ///
     /// # Errors
-    /// What cannot be written, and what the system says.
+    /// Names the file that cannot be written, and repeats what the system says.
     pub(crate) fn write(&self, files: &BTreeMap<String, Vec<u8>>) -> Result<(), Refused> {
         let written = self.0.write(files);
         written.map_err(|reason| of_option(&reason))

@@ -4,17 +4,13 @@ mod commands;
 mod folder;
 mod new_file;
 mod progress;
-mod record;
-mod summary;
-mod text;
 
-use pounding::text::Refused;
 use std::io::{ErrorKind, Write, stderr, stdout};
 use std::process::ExitCode;
 
 use clap::Parser;
 use commands::Program;
-use pounding::text::{message, visible};
+use pounding::text::{Refused, message, visible};
 
 fn main() -> ExitCode {
     let_files_be_too_long();
@@ -26,7 +22,7 @@ fn main() -> ExitCode {
         (Ok(()), None) => return ExitCode::SUCCESS,
         (_, Some(refused)) | (Err(refused), None) => refused,
     };
-    // Of the whole line, as every command that has the option means the same by it.
+    // The whole line is searched: the option means the same in every command that has it.
     let is_json = std::env::args_os().any(|word| word == "--json");
     if is_json {
         tell(&pounding::text::refusal_json(&refused));
@@ -36,8 +32,8 @@ fn main() -> ExitCode {
     ExitCode::FAILURE
 }
 
-/// Lets the system refuse to write past a limit on the size of files (`ulimit -f`), which is an error like any other. It would end the
-/// program without a word.
+/// Lets the system refuse to write past a limit on the size of files (`ulimit -f`), which is an error like any other. By default the system
+/// ends the program silently.
 fn let_files_be_too_long() {
     #[cfg(unix)]
     {

@@ -1,17 +1,17 @@
-//! Files that the program writes: whole, on disk when it says so, never over what was read, and over others only when asked to.
+//! Files that the program writes: whole and durably, never over a file that was read, and over another one only when asked to.
 
-use pounding::text::Refused;
 use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 
 use pounding::files::{Existing, input_at};
+use pounding::text::Refused;
 
-/// What becomes of a file that is there already.
+/// Whether a file that exists is replaced or kept.
 pub(crate) fn existing(overwrite: bool) -> Existing {
     if overwrite { Existing::Replaced } else { Existing::Kept }
 }
 
-/// Refuses one of the files that were read, and unless `overwrite` is set a file that is there already, before anything is written.
+/// Refuses, before anything is written, a file that was read, and unless `overwrite` is set a file that exists.
 pub(crate) fn check(path: &Path, inputs: &[PathBuf], overwrite: bool) -> Result<(), Refused> {
     keep(path, inputs)?;
     if path.exists() && !overwrite {
@@ -21,7 +21,7 @@ pub(crate) fn check(path: &Path, inputs: &[PathBuf], overwrite: bool) -> Result<
     }
 }
 
-/// Refuses to write over what was read, under any of its names.
+/// Refuses to write over a file that was read, under any of its names.
 pub(crate) fn keep(path: &Path, inputs: &[PathBuf]) -> Result<(), Refused> {
     match input_at(path, inputs) {
         None => Ok(()),
@@ -33,20 +33,20 @@ pub(crate) fn keep(path: &Path, inputs: &[PathBuf]) -> Result<(), Refused> {
     }
 }
 
-/// What is said of a file that is there already.
+/// The refusal of a file that exists.
 pub(crate) fn there_already(path: &Path) -> Refused {
     let there = Refused::at(path).is("is there already").allowed_is("a new file");
     there.help("name another one or add --overwrite")
 }
 
-/// Says so where nothing keeps other processes off.
+/// Warns if no lock keeps other processes off.
 pub(crate) fn say_if_unlocked(is_locked: bool) {
     if !is_locked {
         crate::say("this disk knows no locks: let no other process write the same place");
     }
 }
 
-/// Writes a file; one that is there already is refused unless `overwrite` is set.
+/// Writes a file; refuses one that exists unless `overwrite` is set.
 pub(crate) fn write(path: &Path, bytes: &[u8], overwrite: bool) -> Result<(), Refused> {
     pounding::files::write(path, bytes, existing(overwrite)).map_err(|error| {
         if error.kind() == ErrorKind::AlreadyExists {

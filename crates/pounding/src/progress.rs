@@ -1,5 +1,5 @@
-//! What is shown of work that takes longer than a second, on standard error: a bar on a terminal, and of many runs a line now and
-//! then in the log of a job.
+//! Progress of work that takes longer than a second, on standard error: a bar on a terminal, and for many runs a line now and then in the
+//! log of a job.
 
 use std::io::IsTerminal;
 use std::sync::mpsc::{RecvTimeoutError, Sender, channel};
@@ -8,26 +8,26 @@ use std::time::Duration;
 
 use indicatif::{FormattedDuration, HumanCount, ProgressBar, ProgressDrawTarget, ProgressState, ProgressStyle};
 
-/// How long work may take before anything is shown of it.
+/// How long work may take before its progress is shown.
 const PATIENCE: Duration = Duration::from_secs(1);
-/// How often what is shown moves, so that long work does not look dead.
+/// How often the bar moves, so that long work does not look dead.
 const TICK: Duration = Duration::from_millis(200);
 /// How long a log waits for its first line, and for each of the others.
 const FIRST_LINE: Duration = Duration::from_secs(10);
 const LINES: Duration = Duration::from_secs(60);
 
-/// Of runs of which nobody knows yet how many there are, and of one run.
+/// Style for one run, and for runs whose number is not known yet.
 const CLOCK: &str = "{spinner} {msg}, {elapsed}";
-/// Of so many runs.
+/// Style for a known number of runs.
 const BAR: &str = "{bar:40} {pos}/{len} runs, {elapsed}";
-/// Of so many runs that nobody waits for: with what is left of the time.
+/// Style for many runs, with the time that is left.
 const LONG_BAR: &str = "{bar:30} {human_pos}/{human_len} runs, {rate}, {elapsed}, {eta} left";
 
 fn style(template: &str) -> ProgressStyle {
     ProgressStyle::with_template(template).expect("the template is well formed")
 }
 
-/// Something that appears after a second, by itself, and goes when it is dropped.
+/// Progress that appears after a second and disappears when it is dropped.
 #[derive(Debug)]
 struct Shown {
     bar: ProgressBar,
@@ -43,7 +43,7 @@ impl Shown {
         let (working, over) = channel();
         let shown = bar.clone();
         let clock = thread::spawn(move || {
-            // Nothing is ever sent: what ends the waiting is the end of the work.
+            // No message is ever sent: the end of the work ends the waiting.
             let goes_on = |wait| over.recv_timeout(wait) == Err(RecvTimeoutError::Timeout);
             if std::io::stderr().is_terminal() {
                 if goes_on(PATIENCE) {
@@ -66,18 +66,18 @@ impl Shown {
     }
 }
 
-/// What is shown where standard error is no terminal.
+/// Lines in a log, if standard error is no terminal.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Log {
     Nothing,
     Lines,
 }
 
-/// How far work is, as a line.
+/// The progress as a line.
 fn line(bar: &ProgressBar) {
     let [done, of] = [bar.position(), bar.length().unwrap_or(0)].map(HumanCount);
     let passed = FormattedDuration(bar.elapsed());
-    // Nothing is known of the rest before some are done.
+    // The time that is left is not known before some runs are done.
     let left = match bar.eta() {
         Duration::ZERO => String::new(),
         left => format!(", {} left", FormattedDuration(left)),
@@ -105,7 +105,7 @@ impl Progress {
         Self(Shown::new("running", Log::Nothing))
     }
 
-    /// One run of so many is done.
+    /// Counts one run as done; `of` is the number of all.
     pub(crate) fn step(&self, of: usize) {
         let bar = &self.0.bar;
         if bar.length() != Some(of as u64) {
@@ -116,28 +116,28 @@ impl Progress {
     }
 }
 
-/// A bar of many runs, of which some may have been done before.
+/// A bar of many runs; some may have been done before.
 #[derive(Debug)]
 pub(crate) struct Counter(Shown);
 
 impl Counter {
-    /// Of `done` runs of so many.
+    /// A bar that begins at `done` runs.
     pub(crate) fn new(done: u64, of: u64) -> Self {
         let shown = Shown::new("running", Log::Lines);
         let rate = |state: &ProgressState, to: &mut dyn std::fmt::Write| {
-            // What cannot be written is not shown.
+            // A line that cannot be written is lost.
             let _ = write!(to, "{:.0} a second", state.per_sec());
         };
         let style = style(LONG_BAR).with_key("rate", rate);
         shown.bar.set_style(style);
         shown.bar.set_length(of);
-        // The rate is that of what runs now.
+        // The rate counts only the runs of this process.
         shown.bar.set_position(done);
         shown.bar.reset_eta();
         Self(shown)
     }
 
-    /// So many more runs are done.
+    /// Counts more runs as done.
     pub(crate) fn add(&self, runs: u64) {
         self.0.bar.inc(runs);
     }

@@ -4,9 +4,12 @@ use std::path::PathBuf;
 
 use pounding_assess::Effects;
 use pounding_contact::{Calibration, LawName};
-use pounding_report::{OpenSees, OpenSeesError, Sketch};
-use pounding_scene::{Certificate, CertificateRequest, Error, Floors, FreeCollision, Goal, Method, QuantityGroup, Scene, SharedMotion, Simulation, StepMethod};
-use pounding_text::{Refused, json_text};
+use pounding_report::{OpenSees, OpenSeesError, Sketch, advice_answer, certificate};
+use pounding_scene::{
+    Certificate, CertificateRequest, Error, Floors, FreeCollision, Goal, Method, QuantityGroup, Scene, SharedMotion, Simulation,
+    StepMethod,
+};
+use pounding_text::{Form, Refused, json_text};
 use pyo3::prelude::*;
 use serde_json::Value;
 
@@ -131,7 +134,7 @@ pub(crate) fn advise(
         let goal = Goal { error, quantity };
         let advice = pounding_scene::Advice::of(&simulation, goal, &|of| watch.step(1, of as u64));
         let advice = advice.map_err(|error| given.in_file(error))?;
-        Ok(json_text(&advice.to_json(simulation.scene())))
+        Ok(advice_answer(&simulation, &advice, String::new()).text(Form::Json))
     })?;
     found.or_refused(py)
 }
@@ -174,10 +177,7 @@ pub(crate) fn certify(
     };
     let collision = FreeCollision { masses, speed };
     let found = wait(py, None, |_| -> Result<String, Refused> {
-        let certificate = Certificate::new(&wanted, &collision)?;
-        let facts = certificate.facts(&wanted, &collision);
-        let lines = time_step.map(|step| certificate.lines(&collision, step, method));
-        Ok(json_text(&Certificate::json(&facts, &lines.unwrap_or_default())))
+        Ok(certificate(&wanted, &collision, time_step, method)?.text(Form::Json))
     })?;
     found.or_refused(py)
 }

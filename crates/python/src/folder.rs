@@ -6,8 +6,7 @@ use pounding_assess::{AssessedRun, DesignSpectrum, MotionLine, MotionLines, Scal
 use pounding_report::{AssessmentReport, ScalingAsked};
 use pounding_scene::file::ScaleTo;
 use pounding_scene::{Error, Excess, Implausible, Method, Scene};
-use pounding_text::Refused;
-use pounding_text::json_text;
+use pounding_text::{Form, Refused};
 use pyo3::prelude::*;
 
 use crate::refused::OrRefused;
@@ -95,12 +94,12 @@ fn scaling(scale: &str, target: Option<&str>) -> Result<Scaling, Refused> {
 impl Assessment {
     /// All results, as the JSON of `pounding assess --json`.
     fn facts(&self) -> String {
-        json_text(&self.report.to_json())
+        self.report.answer().text(Form::Json)
     }
 
     /// The table of `pounding assess --csv`, one row per number.
     fn csv(&self) -> String {
-        self.report.to_csv()
+        self.report.answer().text(Form::Csv)
     }
 
     /// Implausible values of the scene and of its records.

@@ -1,6 +1,6 @@
 //! A row in slow motion around its hardest collision: an SVG that moves by style sheets, without a script.
 //!
-//! Who asks for less motion, and who prints it, sees the instant of the collision.
+//! On paper, and for a reader who asks for less motion, the picture shows the instant of the collision.
 
 mod drawn;
 
@@ -35,7 +35,7 @@ pub struct Animation {
     pub(crate) caption: String,
 }
 
-/// What is shown of a run.
+/// The collision that is shown.
 struct Film<'a> {
     simulation: &'a Simulation,
     run: &'a RunResult,
@@ -72,7 +72,7 @@ impl Animation {
         )
     }
 
-    /// The same of a run with histories.
+    /// The animation of a run that kept histories.
     pub(crate) fn of_run(simulation: &Simulation, run: &RunResult) -> Option<Self> {
         let film = Film::of(simulation, run)?;
         let stage = Stage::of(&film);

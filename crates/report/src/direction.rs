@@ -2,13 +2,13 @@
 
 use std::mem::discriminant;
 
-use pounding_scene::{Error, Excess, ExcessKind, PairOutcome, Review, RunResult, Simulation};
+use pounding_scene::{Error, Excess, ExcessKind, PairOutcome, RecordUse, Review, RunResult, Simulation};
 
 use pounding_text::short;
 
 use super::Blow;
 
-/// What both directions of shaking do.
+/// The results of both directions of shaking.
 #[derive(Debug)]
 pub struct BothDirections {
     /// A sentence for each, the one that is worse for the buildings first.
@@ -42,11 +42,7 @@ impl BothDirections {
     /// Of a run, and the run in the other direction.
     pub fn of(prepared: &Simulation, review: &Review, other: Result<RunResult, Error>) -> Self {
         let reversed = prepared.scene().record.reversed;
-        let names = if reversed {
-            ["reversed, as in the scene", "as recorded"]
-        } else {
-            ["as recorded", "reversed"]
-        };
+        let names = [reversed, !reversed].map(RecordUse::direction_of);
         let given = &review.outcome;
         match other {
             Ok(other) => Self {

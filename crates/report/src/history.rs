@@ -10,7 +10,7 @@ use pounding_text::{digits, to_csv};
 pub(super) struct Motion<'a> {
     pub(super) prepared: &'a Simulation,
     histories: &'a Histories,
-    /// How the ground motion travels; nothing where all are shaken at once.
+    /// How the ground motion travels; `None` if all are shaken at once.
     travel: Option<&'a Travel>,
 }
 
@@ -53,7 +53,7 @@ impl<'a> Motion<'a> {
         states.map(move |(row, state)| state.displacement - below.map_or(0.0, |below| below[row].displacement))
     }
 
-    /// What of the gap of a pair is open \[m\]; negative where its neighbours overlap.
+    /// Open width of the gap of a pair \[m\]; negative while its neighbours overlap.
     pub(super) fn opening(&self, pair: usize, row: usize) -> f64 {
         let pair = self.prepared.pairs()[pair];
         let (left, right) = (pair.left(), pair.right());
@@ -94,7 +94,7 @@ pub enum HistoryQuantity {
     ShearForce,
     /// Displacement of a floor relative to the one below \[m\].
     Drift,
-    /// What of the gap of a pair is open \[m\]; negative where its floors overlap.
+    /// Open width of the gap of a pair \[m\]; negative while its floors overlap.
     Opening,
     /// Pounding force of a pair \[N\], ≥ 0; 0 of laws that act by impulses.
     PoundingForce,

@@ -31,9 +31,12 @@
 //! - [`AssessmentReport`]: the folder of a row under many records.
 //! - `page/` and `figures/` in the source: the parts of `report.html`.
 
+mod advice;
 mod animation;
+mod answer;
 mod assessment;
 mod blow;
+mod certificate;
 mod direction;
 mod figures;
 mod history;
@@ -43,6 +46,7 @@ mod opensees;
 mod page;
 mod sampling;
 mod shown;
+mod site;
 mod sketch;
 mod spectra;
 mod summary;
@@ -50,9 +54,12 @@ mod summary;
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
+pub use advice::advice_answer;
 pub use animation::Animation;
+pub use answer::{method_facts, record_facts};
 pub use assessment::{AssessedMotion, AssessmentReport, FolderOfMotions, ScalingAsked};
 pub use blow::Blow;
+pub use certificate::certificate;
 pub use direction::{BothDirections, other_direction, other_direction_exact, run_sentence};
 use figures::Known;
 use history::Motion;
@@ -62,7 +69,8 @@ use pounding_assess::Effects;
 use pounding_files::ResultNames;
 use pounding_scene::{Error, Review, RunResult, Simulation};
 use sampling::Sampling;
-pub use shown::{Shown, tables};
+pub use shown::{InWords, tables};
+pub use site::{Site, SitedNumber};
 pub use sketch::Sketch;
 pub use spectra::{SpectraLabels, spectra_figure};
 pub use summary::{
@@ -91,7 +99,7 @@ impl<'a> Report<'a> {
         Ok(Self::of_review(prepared, Arc::new(review)))
     }
 
-    /// Of a run at hand, which kept histories with a state every [`interval`](Self::interval).
+    /// A report of a run that kept histories with a state every [`interval`](Self::interval).
     pub fn of_review(prepared: &'a Simulation, review: Arc<Review>) -> Self {
         Self {
             prepared,
@@ -107,13 +115,13 @@ impl<'a> Report<'a> {
         Sampling::of(prepared).interval
     }
 
-    /// The same with what pounding does to every storey.
+    /// Returns the report with the effects of pounding on every storey.
     #[must_use]
     pub fn with_effects(self, effects: Option<Effects>) -> Self {
         Self { effects, ..self }
     }
 
-    /// The same with both directions of shaking on the first page; `other` is the run in the other direction than the scene's.
+    /// Returns the report with both directions of shaking on the first page; `other` is the run in the other direction than the scene's.
     #[must_use]
     pub fn with_other_direction(self, other: Result<RunResult, Error>) -> Self {
         let directions = BothDirections::of(self.prepared, &self.review, other);
@@ -123,7 +131,7 @@ impl<'a> Report<'a> {
         }
     }
 
-    /// What both directions of shaking do, if the other one ran.
+    /// The results of both directions of shaking, if the other one ran.
     pub fn directions(&self) -> Option<&BothDirections> {
         self.directions.as_ref()
     }
@@ -176,7 +184,7 @@ impl<'a> Report<'a> {
         let illustrations = figures::illustrations(motion, outcome, &summary.pairs, known);
         let animation = Animation::of_run(prepared, outcome);
         let moving = animation.as_ref().map_or_else(String::new, Animation::figure);
-        let page = page::html(self, &summary, &illustrations, &moving);
+        let page = page::html(self, &illustrations, &moving);
         let mut files = BTreeMap::from([
             (HISTORY.into(), history::csv(prepared, &motion).into_bytes()),
             (IMPACTS.into(), impacts::csv(prepared.floors(), outcome).into_bytes()),

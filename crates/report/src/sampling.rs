@@ -5,8 +5,8 @@ use pounding_scene::Simulation;
 /// More rows than this a file of histories does not get: tools open a file of this size without asking.
 const MOST_ROWS: usize = 20_000;
 
-/// Longest interval where a method has no steps of its own \[s\]: a collision of buildings lasts some 10 ms, and at the
-/// step of most records it would fall between two rows.
+/// Longest interval for a method without steps \[s\]: a collision of buildings lasts some 10 ms, and would fall between two samples of most
+/// records.
 const LONGEST: f64 = 0.0025;
 
 /// The instants: 0, one interval, two intervals, up to the end of the run.

@@ -7,7 +7,7 @@ use pounding_text::{milliseconds, percent};
 pub mod tables {
     use pounding_scene::{FloorQuantity as Floor, PairQuantity as Pair};
 
-    /// Structures, in a terminal.
+    /// Structures.
     pub const STRUCTURES: &[Floor] = &[
         Floor::PeriodS,
         Floor::DampingRatio,
@@ -17,13 +17,13 @@ pub mod tables {
         Floor::Ductility,
         Floor::TransferredMomentumNS,
     ];
-    /// What is left of the motion of structures, and what stands on their floors feels, in a terminal.
+    /// The motion of structures that is left at the end, and the shaking of objects on their floors.
     pub const MOTIONS: &[Floor] = &[
         Floor::ResidualDisplacementAtEndM,
         Floor::PeakAccelerationMPerS2,
         Floor::PeakAccelerationTimeS,
     ];
-    /// Storeys, in a terminal.
+    /// Storeys.
     pub const STOREYS: &[Floor] = &[
         Floor::PeakDriftM,
         Floor::PeakDriftTimeS,
@@ -32,42 +32,12 @@ pub mod tables {
         Floor::PeakShearForceN,
         Floor::Ductility,
     ];
-    /// Pairs, in a terminal.
+    /// Pairs.
     pub const PAIRS: &[Pair] = &[
-        Pair::GapM,
-        Pair::Collisions,
-        Pair::FirstStartS,
-        Pair::FirstImpulseNS,
-        Pair::LargestImpulseNS,
-        Pair::PeakForceN,
-        Pair::PeakForceTimeS,
-    ];
-    /// Structures, on a page.
-    pub const STRUCTURES_OF_PAGE: &[Floor] = &[
-        Floor::PeakDisplacementM,
-        Floor::PeakDisplacementTimeS,
-        Floor::ResidualDisplacementAtEndM,
-        Floor::PeakAccelerationMPerS2,
-        Floor::PeakAccelerationTimeS,
-        Floor::PeakShearForceN,
-        Floor::PeakShearForceTimeS,
-        Floor::TransferredMomentumNS,
-    ];
-    /// Storeys, on a page.
-    pub const STOREYS_OF_PAGE: &[Floor] = &[
-        Floor::PeakDriftM,
-        Floor::PeakDriftTimeS,
-        Floor::ResidualDriftAtEndM,
-        Floor::DriftRatio,
-        Floor::Ductility,
-    ];
-    /// Pairs, on a page.
-    pub const PAIRS_OF_PAGE: &[Pair] = &[
         Pair::GapM,
         Pair::LeastOpeningM,
         Pair::Collisions,
         Pair::FirstStartS,
-        Pair::FirstImpulseNS,
         Pair::LargestImpulseNS,
         Pair::PeakForceN,
         Pair::PeakForceTimeS,
@@ -95,7 +65,7 @@ pub mod tables {
 
 /// A run in the words of tables.
 #[derive(Debug)]
-pub struct Shown<'a> {
+pub struct InWords<'a> {
     simulation: &'a Simulation,
     values: RunValues<'a>,
     errors: Option<&'a RunErrors>,
@@ -103,7 +73,7 @@ pub struct Shown<'a> {
     gravity: f64,
 }
 
-impl<'a> Shown<'a> {
+impl<'a> InWords<'a> {
     /// A run with what is known of its errors.
     pub fn of(simulation: &'a Simulation, review: &'a Review) -> Self {
         Self {

@@ -21,7 +21,7 @@ const ABOVE: f64 = 6.0;
 /// A row, and which of its floors touch.
 #[derive(Debug, Clone, Copy)]
 pub struct Sketch<'a> {
-    /// What it is a row of.
+    /// The row.
     pub scene: &'a Scene,
     /// Its floors.
     pub floors: &'a Floors,

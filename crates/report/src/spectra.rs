@@ -7,9 +7,9 @@ use pounding_text::digits;
 /// How spectra are shown.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SpectraLabels<'t> {
-    /// What stands above; letters without a picture in the bundled font become question marks.
+    /// The title; letters without a picture in the bundled font become question marks.
     pub title: &'t str,
-    /// What one g is worth \[m/s²\].
+    /// Acceleration of gravity \[m/s²\].
     pub gravity: f64,
 }
 

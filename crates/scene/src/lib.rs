@@ -62,7 +62,7 @@ pub use judge::response::{Excess, ExcessKind};
 pub use judge::review::{Errors, Review};
 pub use judge::warning::{Warning, WarningPlace};
 pub use pounding_text::Refused;
-pub use quantity::{FloorQuantity, PairQuantity, Quantity, QuantityEntry, QuantityKind, QuantityUnit, RunValues};
+pub use quantity::{FloorQuantity, PairQuantity, Quantity, QuantityEntry, QuantityKind, RunValues};
 pub use simulation::floors::{Floor, FloorPair, Floors, StoreyProperties, UnwatchedFloor};
 pub use simulation::{
     Advice, AuditedRun, EnergyBalance, Extras, Goal, MethodTrial, PairOutcome, QuantityGroup, RunResult, Simulation, StepSizes,

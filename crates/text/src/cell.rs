@@ -6,18 +6,32 @@
 use std::borrow::Cow;
 
 use serde::Serialize;
+use serde_json::Value;
 
 use crate::{digits, visible};
 
-/// A cell of a table: a text, or a number that is finite.
-#[derive(Debug, Clone, Default, PartialEq, Eq)]
-pub struct Cell(String);
+/// A cell of a table for programs: a text, or a number that is finite.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Cell(Content);
+
+#[derive(Debug, Clone, Default, PartialEq)]
+enum Content {
+    /// There is nothing, or no finite number.
+    #[default]
+    Nothing,
+    Text(String),
+    /// A number, and the text that tables have of it.
+    Number(serde_json::Number, String),
+    Truth(bool),
+    /// What only JSON can hold, such as a list.
+    Nested(Value),
+}
 
 impl Cell {
     /// A number in the caller's format; empty if there is no number or if it is not finite.
     pub fn number(value: impl Into<Option<f64>>, format: impl FnOnce(f64) -> String) -> Self {
-        let value = value.into().filter(|value| value.is_finite());
-        Self(value.map_or_else(String::new, format))
+        let number = value.into().and_then(|value| Some((serde_json::Number::from_f64(value)?, value)));
+        Self(number.map_or(Content::Nothing, |(number, value)| Content::Number(number, format(value))))
     }
 
     /// A number in the shortest digits that give it back; empty if there is no number or if it is not finite.
@@ -32,6 +46,27 @@ impl Cell {
     fn written(text: &str) -> Self {
         let is_none = ["NaN", "inf", "-inf"].contains(&text);
         if is_none { Self::default() } else { text.into() }
+    }
+
+    /// The text in a table.
+    fn csv(self) -> String {
+        match self.0 {
+            Content::Nothing => String::new(),
+            Content::Text(text) | Content::Number(_, text) => text,
+            Content::Truth(truth) => truth.to_string(),
+            Content::Nested(value) => value.to_string(),
+        }
+    }
+
+    /// The value in JSON: of a number all digits.
+    pub fn json(self) -> Value {
+        match self.0 {
+            Content::Nothing => Value::Null,
+            Content::Text(text) => text.into(),
+            Content::Number(number, _) => number.into(),
+            Content::Truth(truth) => truth.into(),
+            Content::Nested(value) => value,
+        }
     }
 }
 
@@ -58,25 +93,32 @@ impl From<String> for Cell {
 
 impl From<&str> for Cell {
     fn from(text: &str) -> Self {
-        Self(harmless(text).into_owned())
+        Self(Content::Text(harmless(text).into_owned()))
     }
 }
 
 impl From<bool> for Cell {
     fn from(truth: bool) -> Self {
-        Self(truth.to_string())
+        Self(Content::Truth(truth))
     }
 }
 
 impl From<usize> for Cell {
     fn from(count: usize) -> Self {
-        Self(count.to_string())
+        Self(Content::Number(count.into(), count.to_string()))
     }
 }
 
 impl From<u64> for Cell {
     fn from(count: u64) -> Self {
-        Self(count.to_string())
+        Self(Content::Number(count.into(), count.to_string()))
+    }
+}
+
+impl From<Value> for Cell {
+    /// What only JSON can hold, such as a list.
+    fn from(value: Value) -> Self {
+        Self(Content::Nested(value))
     }
 }
 
@@ -94,77 +136,7 @@ impl<T: Into<Cell>> From<Option<T>> for Cell {
     }
 }
 
-/// A column of a table: its name, and a function that takes its cell from a row. Header and cells therefore always match.
-struct TableColumn<'a, Row> {
-    name: Cow<'static, str>,
-    cell: Box<dyn Fn(&Row) -> Cell + 'a>,
-}
-
-/// A table: rows, and columns that take their cells from them.
-///
-/// ```
-/// use pounding_text::{Cell, Table, short};
-///
-/// let gaps = [("left", 0.03, None), ("right", 0.05, Some(3_usize))];
-/// let table = Table::of(gaps)
-///     .column("pair", |(name, ..)| *name)
-///     .column("gap_mm", |(_, gap, _)| 1e3 * gap)
-///     .column("gap_m", |(_, gap, _)| Cell::number(*gap, short))
-///     .column("collisions", |(.., count)| *count);
-/// assert_eq!(table.csv(), "pair,gap_mm,gap_m,collisions\nleft,30,0.03000,\nright,50,0.05000,3\n");
-/// ```
-pub struct Table<'a, Row> {
-    rows: Vec<Row>,
-    columns: Vec<TableColumn<'a, Row>>,
-}
-
-impl<Row> std::fmt::Debug for Table<'_, Row> {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        let names: Vec<_> = self.columns.iter().map(|column| &column.name).collect();
-        f.debug_struct("Table").field("columns", &names).finish_non_exhaustive()
-    }
-}
-
-impl<'a, Row> Table<'a, Row> {
-    /// A table without columns.
-    pub fn of(rows: impl IntoIterator<Item = Row>) -> Self {
-        Self {
-            rows: rows.into_iter().collect(),
-            columns: Vec::new(),
-        }
-    }
-
-    /// Adds a column whose cells `cell` takes from the rows. Numbers get seven significant digits, unless `cell` returns [`Cell::number`].
-    #[must_use]
-    pub fn column<C: Into<Cell>>(mut self, name: impl Into<Cow<'static, str>>, cell: impl Fn(&Row) -> C + 'a) -> Self {
-        self.columns.push(TableColumn {
-            name: name.into(),
-            cell: Box::new(move |row| cell(row).into()),
-        });
-        self
-    }
-
-    /// Adds one column per key; `name` and `cell` get the key.
-    #[must_use]
-    pub fn columns<Key: Copy + 'a, C: Into<Cell>>(
-        self,
-        keys: impl IntoIterator<Item = Key>,
-        name: impl Fn(Key) -> String,
-        cell: impl Fn(&Row, Key) -> C + Copy + 'a,
-    ) -> Self {
-        let keys = keys.into_iter();
-        keys.fold(self, |table, key| table.column(name(key), move |row| cell(row, key)))
-    }
-
-    /// The table as CSV: a line with the names of the columns, and a line per row.
-    pub fn csv(&self) -> String {
-        let header: Vec<&str> = self.columns.iter().map(|column| &*column.name).collect();
-        let cells = |row| self.columns.iter().map(move |column| (column.cell)(row));
-        csv_text(&header, self.rows.iter().map(cells))
-    }
-}
-
-/// A table as CSV, from the names of its columns and its rows.
+/// A table as CSV: the names of its columns, and rows as long as they are.
 ///
 /// # Panics
 /// Panics if a row is not as long as the header.
@@ -173,7 +145,7 @@ pub fn csv_text<Name: AsRef<str>>(header: &[Name], rows: impl IntoIterator<Item:
     let names = header.iter().map(|name| harmless(name.as_ref()).into_owned());
     writer.write_record(names).expect("memory takes all");
     for row in rows {
-        let cells = row.into_iter().map(|cell| cell.0);
+        let cells = row.into_iter().map(Cell::csv);
         writer
             .write_record(cells)
             .expect("rows are as long as the header, and memory takes them");
@@ -210,6 +182,7 @@ mod tests {
     use proptest::prelude::*;
 
     use super::*;
+    use crate::Table;
 
     /// Texts that table readers take for numbers.
     fn numbers(table: &str) -> Vec<f64> {
@@ -272,7 +245,7 @@ mod tests {
     fn reference_a_name_stays_a_name() {
         let table = csv_text(&["name", "number"], [[Cell::from("inf"), Cell::exact(1e300)]]);
         assert_eq!(table, "name,number\ninf,1e300\n");
-        assert_eq!(Cell::exact(0.1), Cell::from("0.1"));
+        assert_eq!(Cell::exact(0.1).csv(), "0.1");
         assert_eq!(Cell::exact(None), Cell::default());
     }
 }

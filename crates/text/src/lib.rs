@@ -29,17 +29,27 @@
 //! - [`Refused`]: the reason for a refusal, in parts that become a sentence at the end.
 //! - [`visible`] and [`message`]: text for people, without letters that steer their terminal.
 
+mod answer;
 mod cell;
+mod grid;
 mod knob;
 mod place;
 mod refused;
+mod table;
+mod terminal;
+mod unit;
 mod visible;
 mod words;
 
-pub use cell::{Cell, Table, csv_text, harmless, json_text, to_csv};
+pub use answer::{Answer, Form, Manner, Part, Sentences, Where};
+pub use cell::{Cell, csv_text, harmless, json_text, to_csv};
+pub use grid::{Grid, Heading, NONE, Shown};
 pub use knob::{Knob, Naming};
 pub use place::{FaultPlace, Spot};
 pub use refused::{Refusal, Refused, refusal_json};
+pub use table::Table;
+pub use terminal::{cut, paragraph};
+pub use unit::Unit;
 pub use visible::{message, steers, visible};
 pub use words::{RefusalKind, Words};
 

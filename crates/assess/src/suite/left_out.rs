@@ -325,7 +325,7 @@ fn listed(names: &[&str], details: bool) -> String {
     let shown = if details { names.len() } else { MOST_NAMES.min(names.len()) };
     let mut listed = names[..shown].join(", ");
     if shown < names.len() {
-        write!(listed, ", and {} more (--details)", names.len() - shown).expect("memory takes all");
+        write!(listed, ", and {} more", names.len() - shown).expect("memory takes all");
     }
     listed
 }

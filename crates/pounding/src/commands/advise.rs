@@ -1,18 +1,16 @@
 //! `pounding advise`: the cheapest method and time step for an accuracy.
 
-use pounding::text::Refused;
 use std::collections::BTreeMap;
 use std::path::PathBuf;
 
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
-
+use pounding::report::advice_answer;
 use pounding::scene::file::is_json;
-use pounding::scene::{Advice, Error, Goal, Method, MethodTrial, QuantityGroup, RunErrors, Scene, Simulation};
-use pounding::text::{digits, json_text};
+use pounding::scene::{Advice, Error, Goal, Method, QuantityGroup, Scene, Simulation};
+use pounding::text::{Form, Refused};
 
 use super::part_of_one;
 use crate::progress::Progress;
-use crate::text::{NONE, paragraph, percent, short, table};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -22,7 +20,7 @@ Examples:
 
 A scene with \"method\": {\"accuracy\": 0.01} asks for the same when it is run.";
 
-/// What is asked of `advise`.
+/// The arguments of `advise`.
 #[derive(Debug, clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub(crate) struct Arguments {
@@ -33,7 +31,7 @@ pub(crate) struct Arguments {
     /// measured, and what is left out.
     #[arg(long, allow_negative_numbers = true, value_parser = error)]
     error: f64,
-    /// Of what.
+    /// The quantity whose error counts.
     #[arg(long, default_value = "all", value_parser = quantity())]
     quantity: QuantityGroup,
     /// Print JSON, SI units.
@@ -72,124 +70,21 @@ pub(crate) fn run(args: &Arguments) -> Result<String, Refused> {
         quantity: args.quantity,
     };
     let advice = Advice::of(&prepared, goal, &|of| progress.step(of)).map_err(message)?;
-    Ok(if args.json {
-        json_text(&advice.to_json(prepared.scene()))
-    } else {
-        let text = pounding::scene::file::bytes(path);
-        let json = text.is_ok_and(|text| is_json(&text, path));
-        of(&prepared, &advice, json)
-    })
+    let is_json = pounding::scene::file::bytes(path).is_ok_and(|text| is_json(&text, path));
+    let snippet = snippet(&advice.best().method, is_json);
+    Ok(advice_answer(&prepared, &advice, snippet).text(Form::asked(false, false, args.json)))
 }
 
-/// The recommended method, the line for the scene, and what every method would cost.
-fn of(prepared: &Simulation, advice: &Advice, json: bool) -> String {
-    let best = advice.best();
-    let goal = percent(advice.goal.error);
-    let step = best
-        .method
-        .time_step()
-        .map_or(String::new(), |step| format!(", time step {} s", digits(step)));
-    let quantity = words(advice.goal.quantity);
-    let why = if best.method == advice.exact.method {
-        format!("nothing cheaper keeps {quantity} within {goal};\ncost {}", best.cost)
-    } else {
-        let (error, ratio) = (of_trial(best), best.cost as f64 / advice.exact.cost as f64);
-        format!(
-            "the cheapest that keeps {quantity} within {goal}:\nlargest error {error}, cost {}, {ratio:.2} times that of \
-             exact",
-            best.cost
-        )
-    };
-    [
-        paragraph("Use", &format!("{}{step}\n{why}", best.name)),
-        snippet(&best.method, json),
-        paragraph("Scene", &prepared.scene().name),
-        methods(advice),
-        paragraph("Notes", &notes(prepared)),
-    ]
-    .join("\n")
-}
-
-/// The method in the words of the scene's file, to be pasted in place of its own.
+/// The method as text to be pasted into the scene's file.
 fn snippet(method: &Method, json: bool) -> String {
     let lines = if json {
         let table = serde_json::to_string_pretty(method).expect("a method is plain data");
         format!("\"method\": {table}")
     } else {
-        // A table, which may stand at the end of a file.
+        // A table may stand at the end of a file.
         let table = toml::to_string(&BTreeMap::from([("method", method)]));
         table.expect("a method is plain data")
     };
     let lines: Vec<String> = lines.lines().map(|line| format!("  {line}\n")).collect();
     lines.concat()
-}
-
-fn notes(prepared: &Simulation) -> String {
-    format!(
-        "Errors: the largest distance from the exact run, and in what; {}.\nGoal met: at this step and at every shorter one \
-         tried, of which there is at least one; the shortest step alone proves nothing, and stands here where the goal is \
-         not met. Steps are halved from {} s while a run has at most {} steps of \
-         structures.\nCost: force evaluations; a piece of motion of the exact method counts as {} here, which \
-         is about the time it takes.",
-        RunErrors::MEASURE,
-        Advice::LONGEST_STEP,
-        Advice::MOST_STEPS,
-        prepared.evaluations_per_piece()
-    )
-}
-
-/// A line per method: those that meet the goal by their cost, then the others.
-fn methods(advice: &Advice) -> String {
-    let header = [
-        ["Method", ""],
-        ["Goal", "met"],
-        ["Step", "[ms]"],
-        ["Error", ""],
-        ["in", ""],
-        ["Cost", ""],
-    ];
-    let mut trials = vec![(&advice.exact, true)];
-    trials.extend(advice.methods.iter().filter_map(|rungs| {
-        let chosen = rungs.chosen();
-        Some((chosen.or(rungs.trials.last())?, chosen.is_some()))
-    }));
-    trials.sort_by_key(|(trial, meets)| (!meets, trial.cost));
-    let row = |(trial, meets): &(&MethodTrial, bool)| {
-        let step = trial.method.time_step();
-        vec![
-            trial.name.into(),
-            if *meets { "yes" } else { "no" }.into(),
-            step.map_or(NONE.into(), |step| short(1e3 * step)),
-            if trial.method == advice.exact.method {
-                "rounding".into()
-            } else {
-                percent(trial.error)
-            },
-            trial.worst.into(),
-            trial.cost.to_string(),
-        ]
-    };
-    table(&header, &trials.iter().map(row).collect::<Vec<_>>())
-}
-
-/// Error of a run and in what it is largest.
-fn of_trial(trial: &MethodTrial) -> String {
-    let error = percent(trial.error);
-    if trial.worst.is_empty() {
-        error
-    } else {
-        format!("{error} ({})", trial.worst)
-    }
-}
-
-fn words(quantity: QuantityGroup) -> &'static str {
-    match quantity {
-        QuantityGroup::Momentum => "transferred momenta",
-        QuantityGroup::Displacement => "displacements and drifts",
-        QuantityGroup::Acceleration => "peak accelerations",
-        QuantityGroup::Force => "peak forces",
-        QuantityGroup::Impulse => "impulses",
-        QuantityGroup::Time => "times of collisions",
-        QuantityGroup::All => "all numbers (see Notes)",
-    }
 }

@@ -2,23 +2,20 @@
 
 mod bumper;
 mod runs;
-mod text;
 
-use pounding::text::Refused;
 use std::path::PathBuf;
 
 use pounding::assess::{DesignSpectrum, Scaling, Suite};
 use pounding::report::{AssessmentReport, FolderOfMotions, ScalingAsked};
 use pounding::scene::file::ScaleTo;
 use pounding::scene::{Error, Method, Scene, Structure};
-use pounding::text::{digits, json_text};
+use pounding::text::{Form, Refused, Where, digits};
 
 use super::declared::Declared;
 use super::suite;
 use crate::folder::Out;
-use crate::text::paragraph;
 use bumper::BumperAsked;
-use runs::{Asked, Found};
+use runs::{Asked, RunsUnderMotion};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -38,7 +35,7 @@ magnitude; forces are ranges over --stiffness.
 The folder holds report.html, for people; assess.csv with a line per number;
 assess.json; and the figures as SVG and PNG.";
 
-/// What is asked of `assess`.
+/// The arguments of `assess`.
 #[derive(Debug, clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub(crate) struct Arguments {
@@ -74,7 +71,7 @@ pub(crate) struct Arguments {
     /// Write a report with figures and tables here.
     #[arg(long, value_name = "FOLDER")]
     out: Option<PathBuf>,
-    /// Also where the folder holds other things; they stay.
+    /// Write into a folder that holds other things; they stay.
     #[arg(long, requires = "out")]
     overwrite: bool,
     #[command(flatten)]
@@ -95,7 +92,7 @@ struct Printed {
     json: bool,
 }
 
-/// What records are scaled to, in the words of the command line.
+/// Reads the target of scaling from the command line.
 fn scaling(text: &str) -> Result<Scaling, String> {
     const ALLOWED: &str = "allowed are none, pga=0.3g and sa(0.8s)=0.5g, or in m/s2: pga=2.9m/s2";
     if text == "none" {
@@ -131,7 +128,7 @@ fn factors(text: &str) -> Result<[f64; 2], String> {
 }
 
 impl Arguments {
-    /// The scaling as it was asked for, to be asked for again.
+    /// The options that ask for this scaling again.
     fn scaling_words(&self) -> Option<String> {
         match (&self.target, &self.scale) {
             (Some(target), _) => Some(format!("--target \"{target}\"")),
@@ -171,26 +168,18 @@ pub(crate) fn run(args: &Arguments) -> Result<String, Refused> {
     let ran = asked.run()?;
     let report = args.report(&asked, &ran.lines)?;
     let report = report.ok_or("no run was finished")?;
-    let Printed { details, csv, json } = args.printed;
-    let mut text = if json {
-        json_text(&report.to_json())
-    } else if csv {
-        report.to_csv()
-    } else {
-        text::text(&report, details)
-    };
+    let mut answer = report.answer();
     if let Some(out) = out {
         out.write(&report.files())?;
-        if !json && !csv {
-            let page = out.path().join("report.html").display().to_string();
-            text = format!("{text}{}", paragraph("Report", &page));
-        }
+        let page = out.path().join("report.html").display().to_string();
+        answer = answer.say(Where::Terminal, "Report", vec![page]);
     }
-    ran.answer(text)
+    let Printed { details, csv, json } = args.printed;
+    ran.answer(answer.text(Form::asked(details, csv, json)))
 }
 
 impl Arguments {
-    /// What is asked of every motion.
+    /// Rows and settings, the same for every motion.
     fn asked<'a>(&self, scene: Scene, records: &'a Suite) -> Result<Asked<'a>, Refused> {
         let message = |error: Error| error.in_file(&self.scene).to_string();
         let scene = Scene {
@@ -224,7 +213,7 @@ impl Arguments {
     }
 
     /// The runs that were finished, summed up; `None` if there are none.
-    fn report(&self, asked: &Asked<'_>, lines: &[suite::MotionLine<Found>]) -> Result<Option<AssessmentReport>, Refused> {
+    fn report(&self, asked: &Asked<'_>, lines: &[suite::MotionLine<RunsUnderMotion>]) -> Result<Option<AssessmentReport>, Refused> {
         let message = |error: Error| error.in_file(&self.scene).to_string();
         let bumpers = match self.bumper {
             BumperAsked::None => Vec::new(),

@@ -1,12 +1,10 @@
 //! `pounding certify`: what a contact law and a method deliver to a free impact.
 
-mod printed;
-
 use clap::ValueEnum;
 use pounding::contact::{Calibration, LawName};
+use pounding::report::certificate;
 use pounding::scene::{Certificate, CertificateRequest, FreeCollision, StepMethod};
-use pounding::text::Refused;
-use pounding::text::json_text;
+use pounding::text::{Form, Refused};
 
 use super::positive;
 
@@ -35,16 +33,16 @@ pub(crate) struct Arguments {
     /// Approach speed [m/s].
     #[arg(long, value_name = "V0", allow_negative_numbers = true, value_parser = positive)]
     speed: f64,
-    /// Impact stiffness [N/m or N/m^1.5]; 9.35e7 or 2.75e9 where not given.
+    /// Impact stiffness [N/m or N/m^1.5]; by default 9.35e7 or 2.75e9.
     #[arg(long, value_name = "K", allow_negative_numbers = true, value_parser = positive)]
     stiffness: Option<f64>,
     /// How the damping is chosen.
     #[arg(long, value_enum, default_value_t = By::Exact)]
     calibration: By,
-    /// Time step of the methods [s]; without it none is tried.
+    /// Time step of the methods [s]; by default none is tried.
     #[arg(long, value_name = "DT", allow_negative_numbers = true, value_parser = positive)]
     time_step: Option<f64>,
-    /// The method; without it all are tried.
+    /// The method; by default all are tried.
     #[arg(long, value_name = "METHOD", value_parser = method, requires = "time_step")]
     method: Option<StepMethod>,
     /// Print a table for a program, SI units.
@@ -53,18 +51,18 @@ pub(crate) struct Arguments {
     /// Print JSON, SI units.
     #[arg(long, conflicts_with = "csv")]
     json: bool,
-    /// The same in one option.
+    /// How the certificate is printed.
     #[arg(long, value_enum, conflicts_with_all = ["csv", "json"])]
     format: Option<Format>,
 }
 
 impl Arguments {
-    fn format(&self) -> Format {
-        match (self.format, self.csv, self.json) {
-            (Some(format), ..) => format,
-            (None, true, _) => Format::Csv,
-            (None, _, true) => Format::Json,
-            (None, false, false) => Format::Text,
+    fn form(&self) -> Form {
+        match self.format {
+            Some(Format::Text) => Form::Brief,
+            Some(Format::Csv) => Form::Csv,
+            Some(Format::Json) => Form::Json,
+            None => Form::asked(false, self.csv, self.json),
         }
     }
 }
@@ -87,7 +85,7 @@ impl From<By> for Calibration {
     }
 }
 
-/// What is printed.
+/// How a certificate is printed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 enum Format {
     /// For a reader.
@@ -124,14 +122,5 @@ pub(crate) fn run(args: &Arguments) -> Result<String, Refused> {
         masses: [args.masses[0], args.masses[1]],
         speed: args.speed,
     };
-    let certificate = Certificate::new(&wanted, &collision)?;
-    let methods = args
-        .time_step
-        .map_or_else(Vec::new, |step| certificate.lines(&collision, step, args.method));
-    let facts = certificate.facts(&wanted, &collision);
-    Ok(match args.format() {
-        Format::Text => printed::text(wanted.calibration, &facts, &methods),
-        Format::Csv => printed::csv(&facts, &methods),
-        Format::Json => json_text(&Certificate::json(&facts, &methods)),
-    })
+    Ok(certificate(&wanted, &collision, args.time_step, args.method)?.text(args.form()))
 }

@@ -2,18 +2,14 @@
 
 mod json;
 
-use pounding::text::Refused;
 use std::path::PathBuf;
 
-use pounding::report::other_direction_exact;
-use pounding::scene::{Columns, ContactLimit, Excess, MethodLimits, RunResult, Simulation, Structure};
+use pounding::report::{method_facts, other_direction_exact, record_facts};
+use pounding::scene::{Columns, ContactLimit, Excess, FreeLimit, Implausible, MethodLimits, RunResult, Simulation, Structure};
 use pounding::solver::Opening;
-use pounding::text::digits;
+use pounding::text::{Answer, Form, Grid, NONE, Refused, Shown, Table, Where, digits, short};
 
 use crate::progress::Waiting;
-use crate::record;
-use crate::summary::method_lines;
-use crate::text::{NONE, paragraph, short, table};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -23,7 +19,7 @@ Examples:
 The collisions to expect are those of the exact run. What neither direction of
 shaking needs is named.";
 
-/// What is asked of `check`.
+/// The arguments of `check`.
 #[derive(Debug, clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub(crate) struct Arguments {
@@ -35,11 +31,11 @@ pub(crate) struct Arguments {
     json: bool,
 }
 
-/// A scene, and what its exact run says of it.
+/// A scene, and the results of its exact run.
 struct Plan<'a> {
     prepared: &'a Simulation,
     expected: Option<Expected>,
-    /// What to know before believing a run.
+    /// Warnings before a run.
     warnings: Vec<String>,
 }
 
@@ -49,7 +45,7 @@ struct Expected {
     limits: MethodLimits,
     /// The exact run under the reversed shaking; `None` if it fails.
     reversed: Option<RunResult>,
-    /// What the scene gives and needs in neither direction, or in its own if the reversed run fails.
+    /// Parts of the scene that neither direction needs; if the reversed run fails, those that the own direction does not need.
     unneeded: Vec<String>,
 }
 
@@ -65,7 +61,7 @@ impl Expected {
         }
     }
 
-    /// What may touch in either direction and is not modelled.
+    /// Floors that may touch in either direction and are not modelled.
     fn unwatched(&self, prepared: &Simulation) -> Vec<String> {
         let runs = std::iter::once(&self.outcome).chain(&self.reversed);
         let all = Excess::gathered(runs.map(|run| prepared.excesses(run))).into_iter();
@@ -73,7 +69,7 @@ impl Expected {
         all.map(|one| one.to_string()).collect()
     }
 
-    /// What is expected of a pair that does not touch in the direction of the scene.
+    /// The expectation for a pair that does not touch in the direction of the scene.
     fn apart(&self, pair: usize) -> &'static str {
         match &self.reversed {
             Some(run) if run.collisions_of(pair).next().is_some() => "reversed",
@@ -88,7 +84,7 @@ pub(crate) fn run(args: &Arguments) -> Result<String, Refused> {
     let prepared = super::prepare(path, true).map_err(|error| error.in_file(path))?;
     let _waiting = Waiting::new("running the exact method");
     let plan = Plan::of(&prepared);
-    Ok(if args.json { json::of(&plan) } else { text(&plan) })
+    Ok(answer(&plan).text(Form::asked(false, false, args.json)))
 }
 
 impl<'a> Plan<'a> {
@@ -116,42 +112,52 @@ impl<'a> Plan<'a> {
 }
 
 /// The plan of a scene.
-fn text(plan: &Plan<'_>) -> String {
+fn answer<'a>(plan: &'a Plan<'_>) -> Answer<'a> {
     let prepared = plan.prepared;
-    let unusual = crate::summary::unusual(prepared);
-    let besides = if unusual.is_some() { " besides what is unusual" } else { "" };
-    let mut parts: Vec<String> = unusual.into_iter().collect();
-    parts.extend([
-        paragraph("Scene", &prepared.scene().name),
-        paragraph("Record", &record::lines(prepared).join("\n")),
-        paragraph("Method", &method_lines(prepared)),
-        paragraph("Model", &model_lines(plan)),
-        structures(prepared),
-    ]);
+    let doubts = prepared.doubts();
+    let unusual = Implausible::lines(doubts.iter().map(|one| ("", one)));
+    let besides = if unusual.is_empty() { "" } else { " besides what is unusual" };
+    let warnings = if plan.warnings.is_empty() {
+        vec![format!(
+            "none of stability and e{besides}; the errors of the numbers are those of a run"
+        )]
+    } else {
+        plan.warnings.clone()
+    };
+    let mut answer = Answer::new()
+        .say(Where::Terminal, "Unusual", unusual)
+        .say(Where::Terminal, "Scene", vec![prepared.scene().name.clone()])
+        .say(Where::Terminal, "Record", record_facts(prepared))
+        .say(Where::Terminal, "Method", method_facts(prepared))
+        .say(Where::Terminal, "Model", model_lines(plan))
+        .table(Where::Terminal, structures(prepared));
     if let Some(expected) = &plan.expected {
-        parts.push(paragraph("Cost", &cost_lines(prepared, &expected.outcome)));
-        parts.push(pairs(prepared, expected));
+        answer = answer
+            .say(Where::Terminal, "Cost", vec![cost_lines(prepared, &expected.outcome)])
+            .say(Where::Terminal, "Pairs", no_pairs(prepared))
+            .table(Where::Terminal, pairs(prepared, expected));
     }
-    parts.push(paragraph("Notes", NOTES));
-    parts.push(paragraph(
-        "Warnings",
-        &if plan.warnings.is_empty() {
-            format!("none of stability and e{besides}; the errors of the numbers are those of a run")
-        } else {
-            plan.warnings.join("\n")
-        },
-    ));
-    parts.join("\n")
+    answer
+        .say(Where::Terminal, "Notes", NOTES.map(String::from).to_vec())
+        .say(Where::Terminal, "Warnings", warnings)
+        .with_json(|| json::of(plan))
 }
 
-const NOTES: &str = "Limit: from this time step on the motion grows without bound; of a pair, may do so while it touches \
-                     (a structure that is pressed from both sides: from 0.7 times that).\nSpeed: the \
-                     largest at which the pair meets in the exact run, \
-                     \"reversed\" of a pair that only the reversed shaking closes; lasts, steps and e are those of a free collision \
-                     at that speed, e that of the law and what the method makes of it.";
+/// The sentence in place of an empty table of pairs.
+fn no_pairs(prepared: &Simulation) -> Vec<String> {
+    let none = prepared.floors().facing().is_empty();
+    none.then(|| "none: no contact is modelled".into()).into_iter().collect()
+}
 
-/// What of the scene is modelled, and what is left out because the scene does not require it.
-fn model_lines(plan: &Plan<'_>) -> String {
+const NOTES: [&str; 2] = [
+    "Limit: from this time step on the motion grows without bound; of a pair, may do so while it touches (a structure that is pressed from \
+     both sides: from 0.7 times that).",
+    "Speed: the largest at which the pair meets in the exact run, \"reversed\" of a pair that only the reversed shaking closes; lasts, steps and \
+     e are those of a free collision at that speed, e that of the law and what the method makes of it.",
+];
+
+/// The parts of the scene that are modelled, and those that are left out because the scene does not require them.
+fn model_lines(plan: &Plan<'_>) -> Vec<String> {
     let prepared = plan.prepared;
     let floors = prepared.floors();
     let columns = floors.all().iter().filter_map(|floor| floor.made_of);
@@ -185,16 +191,16 @@ fn model_lines(plan: &Plan<'_>) -> String {
         format!("contact: {contact};"),
         "no histories unless `run --out` asks for them".into(),
     ];
-    // What is asked for is modelled, so that a run can tell; what the exact run needs of it is said.
+    // Parts that the scene gives are modelled even if the exact run does not need them, which is said here.
     let unneeded = plan.expected.iter().flat_map(|expected| &expected.unneeded);
     let both = plan.expected.iter().any(|one| one.reversed.is_some());
     let directions = if both { "in neither direction" } else { "in this direction" };
     lines.extend(unneeded.map(|what| format!("needed {directions}: {what}")));
     lines.extend(travel_line(prepared));
-    lines.join("\n")
+    lines
 }
 
-/// How far bases of neighbours move apart, or closer, where the ground motion travels along the row.
+/// How far bases of neighbours move apart or closer, if the ground motion travels along the row.
 fn travel_line(prepared: &Simulation) -> Option<String> {
     let openings = prepared.openings();
     let by_size = |one: &(usize, &Opening), other: &(usize, &Opening)| one.1.distance.abs().total_cmp(&other.1.distance.abs());
@@ -215,7 +221,7 @@ fn travel_line(prepared: &Simulation) -> Option<String> {
     ))
 }
 
-/// What the run will cost, and the exact one.
+/// The cost of the run and of the exact run.
 fn cost_lines(prepared: &Simulation, expected: &RunResult) -> String {
     let exact = expected.work.segments;
     let exact_lines = format!("the exact run: {exact} pieces of motion, {} events", expected.work.events);
@@ -229,31 +235,18 @@ fn cost_lines(prepared: &Simulation, expected: &RunResult) -> String {
     }
 }
 
-fn structures(prepared: &Simulation) -> String {
+fn structures(prepared: &Simulation) -> Grid {
     let limits = prepared.critical_time_steps();
-    let header = [
-        ["Structure", ""],
-        ["Period", "[s]"],
-        ["Damping", "ratio"],
-        ["Yields at", "[kN]"],
-        ["Limit", "[s]"],
-    ];
-    let row = |(index, structure): (usize, &Structure)| {
-        let limit = limits[index].map_or(NONE.into(), short);
-        let number = |value: Option<f64>| value.map_or(NONE.into(), short);
-        vec![
-            structure.name().into(),
-            number(structure.period()),
-            number(structure.damping_ratio()),
-            yields_at(structure),
-            limit,
-        ]
-    };
-    let structures = prepared.scene().structures.iter().enumerate();
-    table(&header, &structures.map(row).collect::<Vec<_>>())
+    Table::of(prepared.scene().structures.iter().zip(limits))
+        .shown("Structure", |(one, _)| one.name().to_owned())
+        .shown_in("s", "Period", |(one, _)| one.period().map(short))
+        .shown("Damping ratio", |(one, _)| one.damping_ratio().map(short))
+        .shown_in("kN", "Yields at", |(one, _)| yields_at(one))
+        .shown_in("s", "Limit", |(_, limit)| limit.map(short))
+        .grid()
 }
 
-/// Yield force of a structure \[kN\]; of storeys that differ the least and the largest, and that some stay elastic.
+/// Yield force of a structure \[kN\]: the least and the largest if storeys differ, and how many yield if some stay elastic.
 fn yields_at(structure: &Structure) -> String {
     let forces = structure.yield_forces();
     let known: Vec<f64> = forces.iter().flatten().copied().collect();
@@ -272,64 +265,72 @@ fn yields_at(structure: &Structure) -> String {
     }
 }
 
-fn pairs(prepared: &Simulation, expected: &Expected) -> String {
-    let scene = prepared.scene();
-    let contacts = scene.contacts.as_deref().unwrap_or_default();
-    if contacts.is_empty() {
-        return paragraph("Pairs", "none: no contact is modelled");
-    }
-    let header = [
-        ["Pair", ""],
-        ["Gap", "[mm]"],
-        ["Speed", "[m/s]"],
-        ["Lasts", "[ms]"],
-        ["Steps", ""],
-        ["Limit", "[ms]"],
-        ["e", ""],
-        ["Method's", "e"],
-    ];
-    let floors = prepared.floors();
-    let rows = floors.pairs_by_contact().into_iter().map(|index| {
-        let [left, right] = floors.names(index);
-        let gap = contacts[floors.facing()[index].contact].gap_m;
-        let mut row = vec![format!("{left} – {right}"), digits(gap * 1e3)];
-        let mut limits = expected.limits.contacts.iter();
-        match limits.find(|limit| limit.pair == index) {
-            Some(limit) => row.extend(contact_numbers(limit)),
-            None => row.extend([expected.apart(index), "", "", "", "", ""].map(String::from)),
-        }
-        row
-    });
-    table(&header, &rows.collect::<Vec<_>>())
+/// The largest collision of a pair, or the expectation for a pair that does not touch in the direction of the scene.
+struct ExpectedPair<'a> {
+    index: usize,
+    touch: Result<&'a ContactLimit, &'static str>,
 }
 
-fn contact_numbers(limit: &ContactLimit) -> [String; 6] {
-    let number = |value: Option<f64>, scale: f64| value.map_or(NONE.into(), |value| short(scale * value));
-    let critical = number(limit.critical_time_step, 1e3);
-    let Some(free) = limit.free else {
-        return ["pressed".into(), NONE.into(), NONE.into(), critical, NONE.into(), NONE.into()];
-    };
-    let steps = free.steps.map_or(NONE.into(), |steps| {
-        if steps < MethodLimits::STEPS_PER_CONTACT {
-            format!("{steps:.2}")
-        } else {
-            format!("{steps:.0}")
+impl ExpectedPair<'_> {
+    /// A number of the free collision at the largest speed; empty for a pair that does not touch.
+    fn free(&self, number: impl Fn(&FreeLimit) -> Option<String>) -> Shown {
+        match self.touch {
+            Ok(limit) => limit.free.as_ref().and_then(number).into(),
+            Err(_) => "".into(),
+        }
+    }
+
+    fn speed(&self) -> Shown {
+        match self.touch {
+            Ok(limit) => limit.free.map_or("pressed".into(), |free| short(free.approach_speed).into()),
+            Err(why) => why.into(),
+        }
+    }
+
+    fn limit(&self) -> Shown {
+        match self.touch {
+            Ok(limit) => limit.critical_time_step.map(|step| short(1e3 * step)).into(),
+            Err(_) => "".into(),
+        }
+    }
+}
+
+fn pairs(prepared: &Simulation, expected: &Expected) -> Grid {
+    let contacts = prepared.scene().contacts.as_deref().unwrap_or_default();
+    let floors = prepared.floors();
+    let rows = floors.pairs_by_contact().into_iter().map(|index| {
+        let mut limits = expected.limits.contacts.iter();
+        let limit = limits.find(|limit| limit.pair == index);
+        ExpectedPair {
+            index,
+            touch: limit.ok_or_else(|| expected.apart(index)),
         }
     });
-    let delivered = free.delivered.map_or(NONE.into(), |delivered| {
-        let [least, most] = delivered.range;
-        if most - least < 5e-4 {
-            format!("{least:.3}")
-        } else {
-            format!("{least:.3} to {most:.3}")
-        }
-    });
-    [
-        short(free.approach_speed),
-        number(free.duration, 1e3),
-        steps,
-        critical,
-        free.restitution.map_or(NONE.into(), |e| format!("{e:.3}")),
-        delivered,
-    ]
+    Table::of(rows)
+        .shown("Pair", |one| floors.names(one.index).join(" – "))
+        .shown_in("mm", "Gap", |one| digits(1e3 * contacts[floors.facing()[one.index].contact].gap_m))
+        .shown_in("m/s", "Speed", ExpectedPair::speed)
+        .shown_in("ms", "Lasts", |one| one.free(|free| free.duration.map(|lasts| short(1e3 * lasts))))
+        .shown("Steps", |one| one.free(|free| free.steps.map(steps)))
+        .shown_in("ms", "Limit", ExpectedPair::limit)
+        .shown("e", |one| one.free(|free| free.restitution.map(|e| format!("{e:.3}"))))
+        .shown("Method's e", |one| {
+            one.free(|free| free.delivered.map(|delivered| between(delivered.range)))
+        })
+        .grid()
+}
+
+/// How many steps a contact has: few with decimals.
+fn steps(steps: f64) -> String {
+    let decimals = if steps < MethodLimits::STEPS_PER_CONTACT { 2 } else { 0 };
+    format!("{steps:.decimals$}")
+}
+
+/// A restitution, or the range of it.
+fn between([least, most]: [f64; 2]) -> String {
+    if most - least < 5e-4 {
+        format!("{least:.3}")
+    } else {
+        format!("{least:.3} to {most:.3}")
+    }
 }

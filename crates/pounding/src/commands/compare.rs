@@ -2,18 +2,16 @@
 
 mod rows;
 
-use pounding::text::Refused;
 use std::borrow::Cow;
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
-use pounding::report::{Shown, Summary, tables};
+use pounding::report::{InWords, Summary, tables};
 use pounding::scene::{Error, Errors, Floor, PairQuantity, Quantity, QuantityGroup, QuantityKind, Review, Simulation};
-use pounding::text::{digits, json_text};
+use pounding::text::{Answer, Form, Grid, NONE, Refused, Where, digits, json_text, percent, short};
 
 use crate::progress::Waiting;
-use crate::text::{NONE, percent, short, table_in_blocks};
-use rows::{Cell, Row, changed};
+use rows::{ComparedRow, ComparedValue, changed};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -24,7 +22,7 @@ Structures are matched from the left, the floors of buildings and the pairs
 between them storey by storey. Behind a number stands how much larger it is
 than that of the first scene, whatever their signs.";
 
-/// What is asked of `compare`.
+/// The arguments of `compare`.
 #[derive(Debug, clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub(crate) struct Arguments {
@@ -42,43 +40,38 @@ pub(crate) struct Arguments {
     json: bool,
 }
 
-/// What is printed as JSON.
+/// The answer as JSON.
 #[derive(serde::Serialize)]
 struct Compared {
-    /// The files of the scenes, as asked for.
+    /// The files of the scenes, as they were given.
     files: Vec<String>,
     runs: Vec<Summary>,
 }
 
 /// A scene that ran.
-struct Run {
+struct ComparedRun {
     file: PathBuf,
     prepared: Simulation,
     review: Review,
 }
 
-impl Run {
-    fn shown(&self) -> Shown<'_> {
-        Shown::of(&self.prepared, &self.review)
+impl ComparedRun {
+    fn shown(&self) -> InWords<'_> {
+        InWords::of(&self.prepared, &self.review)
     }
 }
 
 /// Runs the scenes; returns a column for each.
 pub(crate) fn run(args: &Arguments) -> Result<String, Refused> {
     let run = |path: &PathBuf| run_scene(path, !args.no_error).map_err(|error| error.in_file(path));
-    let runs: Vec<Run> = args.scenes.iter().map(run).collect::<Result<_, _>>()?;
-    if args.json {
-        return Ok(json_of(&runs));
-    }
-    let mut names = names(&runs).into_iter();
-    let mut rows = vec![row::<String>("Scene", &runs, |_| names.next().unwrap_or_default())];
-    rows.extend(of_runs(&runs));
+    let runs: Vec<ComparedRun> = args.scenes.iter().map(run).collect::<Result<_, _>>()?;
+    let mut rows = of_runs(&runs);
     let (structures, pairs) = (places(&runs, floor_places), places(&runs, pair_places));
-    let words = |what: &str, place: &At, all: &[At]| {
-        let several = all.iter().any(|one| one.0 == place.0 && one != place);
-        let floor = format!(", floor {}", place.1 + 1);
+    let words = |what: &str, place: &ComparedPlace, all: &[ComparedPlace]| {
+        let several = all.iter().any(|one| one.index == place.index && one != place);
+        let floor = format!(", floor {}", place.storey + 1);
         let floor = if several { floor.as_str() } else { "" };
-        format!("{what} {}{floor}", place.0 + 1)
+        format!("{what} {}{floor}", place.index + 1)
     };
     for place in &structures {
         rows.extend(of_structure(&runs, *place, &words("Structure", place, &structures)));
@@ -87,84 +80,100 @@ pub(crate) fn run(args: &Arguments) -> Result<String, Refused> {
         rows.extend(of_pair(&runs, *place, &words("Pair", place, &pairs)));
     }
     let (rows, alike) = if args.all { (rows, 0) } else { changed(rows) };
-    let cells: Vec<Vec<String>> = rows.iter().map(Row::cells).collect();
     let alike = match alike {
-        0 => String::new(),
-        1 => "\n1 row is alike; --all prints it\n".into(),
-        _ => format!("\n{alike} rows are alike; --all prints them\n"),
+        0 => Vec::new(),
+        1 => vec!["1 row is alike; --all prints it".into()],
+        _ => vec![format!("{alike} rows are alike; --all prints them")],
     };
-    Ok(format!("{}{alike}", table_in_blocks(&cells)))
+    let headings = std::iter::once("Scene".into()).chain(names(&runs));
+    let grid = Grid::of(headings, rows.iter().map(ComparedRow::cells).collect());
+    let answer = Answer::new()
+        .table(Where::Terminal, grid.in_blocks())
+        .say(Where::Terminal, "More", alike)
+        .with_json(|| json_of(&runs));
+    Ok(answer.text(Form::asked(false, false, args.json)))
 }
 
-/// Where a floor or a pair stands, whatever its number in a run: the structure or the contact from the left, and the storey, of
-/// a wall the level; both from 0.
-type At = (usize, usize);
+/// The place of a floor or a pair in a row, whatever its number in a run.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+struct ComparedPlace {
+    /// Number of the structure or of the contact from the left, from 0.
+    index: usize,
+    /// Number of the storey from the ground, from 0; for a wall that of the level.
+    storey: usize,
+}
 
 /// All places of all runs, from the left, each from the ground up.
-fn places(runs: &[Run], of_run: fn(&Run) -> Vec<At>) -> Vec<At> {
-    let all: BTreeSet<At> = runs.iter().flat_map(of_run).collect();
+fn places(runs: &[ComparedRun], of_run: fn(&ComparedRun) -> Vec<ComparedPlace>) -> Vec<ComparedPlace> {
+    let all: BTreeSet<ComparedPlace> = runs.iter().flat_map(of_run).collect();
     all.into_iter().collect()
 }
 
 /// Places of the floors of a run, in its order.
-fn floor_places(run: &Run) -> Vec<At> {
+fn floor_places(run: &ComparedRun) -> Vec<ComparedPlace> {
     let floors = run.prepared.floors();
-    let place = |index: usize| (floors.all()[index].structure, floors.storey_of(index) - 1);
+    let place = |floor: usize| ComparedPlace {
+        index: floors.all()[floor].structure,
+        storey: floors.storey_of(floor) - 1,
+    };
     (0..floors.all().len()).map(place).collect()
 }
 
 /// Places of the pairs of a run, in its order: the storey is that of the left neighbour, or beside a wall that of the right one.
-fn pair_places(run: &Run) -> Vec<At> {
+fn pair_places(run: &ComparedRun) -> Vec<ComparedPlace> {
     let floors = run.prepared.floors();
     let facing = floors.facing().iter();
     let place = facing.map(|one| {
         let wall = floors.all()[one.left].is_wall();
         let floor = if wall { one.right } else { one.left };
-        (one.contact, floors.storey_of(floor) - 1)
+        ComparedPlace {
+            index: one.contact,
+            storey: floors.storey_of(floor) - 1,
+        }
     });
     place.collect()
 }
 
 /// The floor that a run has at a place, and its number.
-fn floor_at(run: &Run, place: At) -> Option<(usize, &Floor)> {
+fn floor_at(run: &ComparedRun, place: ComparedPlace) -> Option<(usize, &Floor)> {
     let index = floor_places(run).iter().position(|one| *one == place)?;
     Some((index, &run.prepared.floors().all()[index]))
 }
 
 /// The number of the pair that a run has at a place.
-fn pair_at(run: &Run, place: At) -> Option<usize> {
+fn pair_at(run: &ComparedRun, place: ComparedPlace) -> Option<usize> {
     pair_places(run).iter().position(|one| *one == place)
 }
 
-fn run_scene(path: &Path, measure: bool) -> Result<Run, Error> {
+fn run_scene(path: &Path, measure: bool) -> Result<ComparedRun, Error> {
     let prepared = super::prepare(path, false)?;
     let _waiting = Waiting::new("running");
     let review = prepared.review(measure)?;
-    Ok(Run {
+    Ok(ComparedRun {
         file: path.to_path_buf(),
         prepared,
         review,
     })
 }
 
-/// A name of every scene unlike the others, where there is one: its own, or else that of its file, or its path.
-fn names(runs: &[Run]) -> Vec<String> {
-    let own = |run: &Run| run.prepared.scene().name.clone();
-    let path = |run: &Run| run.file.display().to_string();
-    let file = |run: &Run| {
+/// Names of the scenes that differ from each other: their own if these differ, else those of their files, else their paths.
+fn names(runs: &[ComparedRun]) -> Vec<String> {
+    let own = |run: &ComparedRun| run.prepared.scene().name.clone();
+    let path = |run: &ComparedRun| run.file.display().to_string();
+    let file = |run: &ComparedRun| {
         let name = run.file.file_name().map(|name| name.to_string_lossy());
         name.map_or_else(|| path(run), Cow::into_owned)
     };
-    let ways: [&dyn Fn(&Run) -> String; 2] = [&own, &file];
+    let ways: [&dyn Fn(&ComparedRun) -> String; 2] = [&own, &file];
     let ways = ways.map(|way| runs.iter().map(way).collect::<Vec<_>>());
     let differ = |names: &Vec<String>| names.iter().collect::<BTreeSet<_>>().len() == names.len();
     let found = ways.into_iter().find(differ);
     found.unwrap_or_else(|| runs.iter().map(path).collect())
 }
 
-fn json_of(runs: &[Run]) -> String {
-    let summary = |run: &Run| Summary::of(&run.prepared, &run.review);
-    // Not a `Value`, which would sort the fields of a summary.
+fn json_of(runs: &[ComparedRun]) -> String {
+    let summary = |run: &ComparedRun| Summary::of(&run.prepared, &run.review);
+    // A `Value` would sort the fields of a summary.
     let all = Compared {
         files: runs.iter().map(|run| run.file.display().to_string()).collect(),
         runs: runs.iter().map(summary).collect(),
@@ -173,15 +182,15 @@ fn json_of(runs: &[Run]) -> String {
 }
 
 /// A name and a cell for every scene.
-fn row<C: Into<Cell>>(name: &str, runs: &[Run], mut cell: impl FnMut(&Run) -> C) -> Row {
-    Row {
+fn row<C: Into<ComparedValue>>(name: &str, runs: &[ComparedRun], mut cell: impl FnMut(&ComparedRun) -> C) -> ComparedRow {
+    ComparedRow {
         name: name.into(),
         cells: runs.iter().map(|run| cell(run).into()).collect(),
     }
 }
 
-fn of_runs(runs: &[Run]) -> Vec<Row> {
-    let peak = |run: &Run| {
+fn of_runs(runs: &[ComparedRun]) -> Vec<ComparedRow> {
+    let peak = |run: &ComparedRun| {
         let gravity = run.prepared.scene().record.gravity_m_per_s2;
         Some(run.prepared.record().peak().1.abs() / gravity)
     };
@@ -207,8 +216,8 @@ fn of_runs(runs: &[Run]) -> Vec<Row> {
     ]
 }
 
-/// A row for a number of a place, under its name: an instant is a text, of which no part is a change.
-fn number(runs: &[Run], quantity: Quantity, value: impl Fn(&Run) -> Option<f64>) -> Row {
+/// A row for a number of a place; an instant is a text, so that no change stands behind it.
+fn number(runs: &[ComparedRun], quantity: Quantity, value: impl Fn(&ComparedRun) -> Option<f64>) -> ComparedRow {
     let about = quantity.about();
     let indent = if about.kind == QuantityKind::Instant { "    " } else { "  " };
     let name = format!("{indent}{} {}", about.heading.to_lowercase(), about.shown_unit());
@@ -219,11 +228,11 @@ fn number(runs: &[Run], quantity: Quantity, value: impl Fn(&Run) -> Option<f64>)
     }
 }
 
-fn of_structure(runs: &[Run], place: At, heading: &str) -> Vec<Row> {
+fn of_structure(runs: &[ComparedRun], place: ComparedPlace, heading: &str) -> Vec<ComparedRow> {
     let name = row(heading, runs, |run| {
         floor_at(run, place).map_or(String::from(NONE), |(_, floor)| floor.name.clone())
     });
-    let is_storey = |run: &Run| floor_at(run, place).is_some_and(|(_, floor)| floor.storey.is_some());
+    let is_storey = |run: &ComparedRun| floor_at(run, place).is_some_and(|(_, floor)| floor.storey.is_some());
     let has_storeys = runs.iter().any(is_storey);
     let all = tables::STRUCTURES_BESIDE.iter().map(|one| (*one, one.about().on_ground.is_some()));
     let rows = all
@@ -238,8 +247,8 @@ fn of_structure(runs: &[Run], place: At, heading: &str) -> Vec<Row> {
     std::iter::once(name).chain(rows).collect()
 }
 
-fn of_pair(runs: &[Run], place: At, heading: &str) -> Vec<Row> {
-    let index = |run: &Run| pair_at(run, place);
+fn of_pair(runs: &[ComparedRun], place: ComparedPlace, heading: &str) -> Vec<ComparedRow> {
+    let index = |run: &ComparedRun| pair_at(run, place);
     let name = row(heading, runs, |run| {
         let names = index(run).map(|index| run.prepared.floors().names(index));
         names.map_or(String::from(NONE), |[left, right]| format!("{left} – {right}"))
@@ -247,7 +256,7 @@ fn of_pair(runs: &[Run], place: At, heading: &str) -> Vec<Row> {
     let rows = tables::PAIRS_BESIDE.iter().map(|one| {
         let quantity = (*one).into();
         if *one == PairQuantity::Collisions {
-            let counted = |run: &Run| index(run).map_or(String::from(NONE), |index| collisions(run, index));
+            let counted = |run: &ComparedRun| index(run).map_or(String::from(NONE), |index| collisions(run, index));
             return row("  collisions", runs, counted);
         }
         number(runs, quantity, |run| run.shown().value(quantity, index(run)?))
@@ -255,8 +264,8 @@ fn of_pair(runs: &[Run], place: At, heading: &str) -> Vec<Row> {
     std::iter::once(name).chain(rows).collect()
 }
 
-/// Number of collisions, and that of the exact run where it is another.
-fn collisions(run: &Run, pair: usize) -> String {
+/// Number of collisions, and that of the exact run if it differs.
+fn collisions(run: &ComparedRun, pair: usize) -> String {
     let shown = run.shown();
     let found = shown.text(PairQuantity::Collisions, pair).unwrap_or_default();
     match shown.error(PairQuantity::Collisions, pair) {

@@ -8,7 +8,7 @@ Examples:
   pounding completions bash >> ~/.bash_completion
   pounding completions fish > ~/.config/fish/completions/pounding.fish";
 
-/// What is asked of `completions`.
+/// The arguments of `completions`.
 #[derive(Debug, clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub(crate) struct Arguments {

@@ -1,4 +1,4 @@
-//! What record files do not say themselves, on the command line.
+//! Options that declare what record files leave out.
 
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use pounding::motion::AccelerationUnit;
@@ -12,7 +12,7 @@ use super::positive;
 /// Help of `--unit`.
 const UNITS: &str = "One of g, mg, g_per_10, m_per_s2, cm_per_s2, mm_per_s2";
 
-/// What files do not say themselves; the fields of `record` in a scene.
+/// Declarations for files that leave them out; the fields of `record` in a scene.
 #[derive(Debug, Clone, Default, PartialEq, clap::Args)]
 #[command(next_help_heading = "What a file does not say")]
 pub(super) struct Declared {
@@ -40,7 +40,7 @@ fn unit() -> impl TypedValueParser<Value = Unit> {
 }
 
 impl Declared {
-    /// Returns what is declared in place of what `of_scene` says.
+    /// Returns the declarations of the command line, and `of_scene` where it has none.
     pub(super) fn over(&self, of_scene: FileUse) -> FileUse {
         FileUse {
             unit: self.unit.or(of_scene.unit),
@@ -53,7 +53,7 @@ impl Declared {
         }
     }
 
-    /// Returns what is declared of the files of a folder that shake a scene: as here, else as its record says.
+    /// Returns the declarations for the files of a folder that shake a scene: those of the command line, else those of its record.
     pub(super) fn of_files(&self, scene: &Scene) -> FileUse {
         self.over(scene.record.declared())
     }

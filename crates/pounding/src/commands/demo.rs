@@ -1,16 +1,15 @@
 //! `pounding demo`: a scene, its record and its results, with nothing needed.
 
-use pounding::text::Refused;
 use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 
 use pounding::files::holds;
 use pounding::report::{Report, other_direction};
+use pounding::text::{Form, Refused, Where};
 
 use crate::folder::Out;
+use crate::new_file;
 use crate::progress::Waiting;
-use crate::text::paragraph;
-use crate::{new_file, summary};
 
 const EXAMPLES: &str = "\
 Example:
@@ -19,14 +18,14 @@ Example:
 Writes pounding-demo/scene.toml, its record and pounding-demo/results, and ends
 with the table of the run; open pounding-demo/results/report.html.";
 
-/// What the folder holds besides the results.
+/// Files of the folder besides the results.
 const FILES: [(&str, &str); 2] = [
     (SCENE, include_str!("demo/scene.toml")),
     ("el-centro.csv", include_str!("../../assets/el-centro-1940-ns-chopra.csv")),
 ];
 const SCENE: &str = "scene.toml";
 
-/// What is asked of `demo`.
+/// The arguments of `demo`.
 #[derive(Debug, clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub(crate) struct Arguments {
@@ -51,24 +50,16 @@ pub(crate) fn run(args: &Arguments) -> Result<String, Refused> {
     let other = other_direction(&prepared);
     let report = report.with_other_direction(other);
     out.write(&report.files())?;
-    let answer = report.directions().map(summary::direction::text);
-    Ok(format!(
-        "{}\n{}\n{}\n{}",
-        answer.unwrap_or_default(),
-        summary::brief(&prepared, report.review(), &report.notices()),
-        paragraph("Results", &results.join("report.html").display().to_string()),
-        paragraph(
-            "Next",
-            &format!(
-                "change {0} and run it again:\npounding run {0} --out {1}",
-                path.display(),
-                results.display()
-            )
-        )
-    ))
+    let next = format!("change {0} and run it again:", path.display());
+    let again = format!("pounding run {} --out {}", path.display(), results.display());
+    let answer = report
+        .answer()
+        .say(Where::Terminal, "Results", vec![results.join("report.html").display().to_string()])
+        .say(Where::Terminal, "Next", vec![next, again]);
+    Ok(answer.text(Form::Brief))
 }
 
-/// Writes a file that is not there, or leaves one that is as it should be.
+/// Writes a file; leaves one with this text, and refuses one with another.
 fn write(path: &Path, text: &str) -> Result<(), Refused> {
     match holds(path, text.as_bytes()) {
         Ok(true) => Ok(()),

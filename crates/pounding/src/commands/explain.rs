@@ -1,9 +1,7 @@
 //! `pounding explain`: what a word of the program means.
 
 use pounding::contact::LawName;
-use pounding::text::Refused;
-
-use crate::text::paragraph;
+use pounding::text::{Answer, Form, Refused, Where};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -11,14 +9,14 @@ Examples:
   pounding explain \"transferred momentum\"
   pounding explain                       # all words";
 
-/// The page of words, a line that begins with its words in bold for each.
+/// The page of words: each has a line that begins with the word in bold.
 const GLOSSARY: &str = include_str!("../../assets/glossary.md");
 
-/// What is asked of `explain`.
+/// The arguments of `explain`.
 #[derive(Debug, clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub(crate) struct Arguments {
-    /// The word, or a part of it; without it all words are listed.
+    /// The word, or a part of it; by default all words are listed.
     #[arg(value_name = "WORD", num_args = 0..)]
     words: Vec<String>,
 }
@@ -29,16 +27,21 @@ struct Entry {
     meaning: String,
 }
 
-/// What the word means; of a word that is not known the nearest ones.
+/// Says what a word means.
+///
+/// # Errors
+/// Names the nearest word, if the word is not known.
 pub(crate) fn run(args: &Arguments) -> Result<String, Refused> {
     let entries = entries();
     if args.words.is_empty() {
         let words: Vec<&str> = entries.iter().map(|one| one.word.as_str()).collect();
-        return Ok(paragraph("Words", &words.join("; ")));
+        return Ok(Answer::new()
+            .say(Where::Terminal, "Words", vec![words.join("; ")])
+            .text(Form::Brief));
     }
     let asked = args.words.join(" ");
     let wanted = asked.to_lowercase();
-    // Words stand there in the singular.
+    // The page has words in the singular.
     let singular = wanted.strip_suffix('s').unwrap_or(&wanted);
     // `pdelta` is P-Δ's other spelling.
     let bare = |text: &str| -> String { text.chars().filter(|one| one.is_alphanumeric()).collect() };
@@ -57,8 +60,10 @@ pub(crate) fn run(args: &Arguments) -> Result<String, Refused> {
     if found.is_empty() {
         return Err(not_known(&asked, &entries));
     }
-    let text = found.iter().map(|one| format!("{}\n{}", one.word, paragraph("", &one.meaning)));
-    Ok(text.collect::<Vec<_>>().join("\n"))
+    let answer = found.into_iter().fold(Answer::new(), |answer, one| {
+        answer.say(Where::Terminal, "Word", vec![one.word.clone(), one.meaning.clone()])
+    });
+    Ok(answer.text(Form::Brief))
 }
 
 fn not_known(asked: &str, entries: &[Entry]) -> Refused {
@@ -70,7 +75,7 @@ fn not_known(asked: &str, entries: &[Entry]) -> Refused {
     none.help(format!("the nearest is \"{nearest}\""))
 }
 
-/// The words of the page, whose meanings go on over lines that are set in, and the contact laws.
+/// The words of the page, whose meanings continue over indented lines, and the contact laws.
 fn entries() -> Vec<Entry> {
     let mut entries: Vec<Entry> = Vec::new();
     for line in GLOSSARY.lines() {

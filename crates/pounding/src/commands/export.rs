@@ -1,10 +1,10 @@
 //! `pounding export`: a scene as a script for another program, so that anyone can check this one.
 
-use pounding::text::Refused;
 use std::path::PathBuf;
 
 use pounding::report::{OpenSees, OpenSeesError};
 use pounding::scene::{Error, Method, Scene, Simulation};
+use pounding::text::{Answer, Form, Part, Refused, Where};
 
 use super::positive;
 use crate::new_file;
@@ -25,7 +25,7 @@ OpenSees: linear_spring, hertz, nonlinear_viscoelastic, hertz_damp and
 modified_kelvin; the last two are not clamped there where something drives the
 neighbours apart faster than they met.";
 
-/// What is asked of `export`.
+/// The arguments of `export`.
 #[derive(Debug, clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub(crate) struct Arguments {
@@ -35,13 +35,13 @@ pub(crate) struct Arguments {
     /// Write a script for OpenSeesPy.
     #[arg(long, required = true)]
     opensees: bool,
-    /// The file to write; without it the script is printed.
+    /// The file to write; by default the script is printed.
     #[arg(long, value_name = "FILE")]
     out: Option<PathBuf>,
-    /// Write over a file that is there already.
+    /// Replace a file that exists.
     #[arg(long, requires = "out")]
     overwrite: bool,
-    /// Time step of OpenSees [s]; without it a fine one.
+    /// Time step of OpenSees [s]; by default a fine one.
     #[arg(long, value_name = "DT", allow_negative_numbers = true, value_parser = positive)]
     time_step: Option<f64>,
     /// Take a material that pulls for Kelvin–Voigt contacts.
@@ -54,7 +54,7 @@ pub(crate) fn run(args: &Arguments) -> Result<String, Refused> {
     let path = &args.scene;
     let message = |error: Error| Refused::from(error.in_file(path));
     let mut scene: Scene = super::read(path).map_err(message)?;
-    // The method of the scene does not matter: the script steps by its own.
+    // The method of the scene does not matter: the script has another.
     scene.method = Method::EXACT;
     let prepared = Simulation::new(&scene, super::folder(path)).map_err(message)?;
     let waiting = Waiting::new("running the exact method");
@@ -72,6 +72,10 @@ pub(crate) fn run(args: &Arguments) -> Result<String, Refused> {
     };
     new_file::check(out, &super::inputs(path, &prepared), args.overwrite)?;
     new_file::write(out, script.as_bytes(), args.overwrite)?;
-    let out = out.display();
-    Ok(format!("wrote {out}\n\nnext:\n  pip install openseespy\n  python3 {out}\n"))
+    let out = out.display().to_string();
+    let next = format!("next:\n  pip install openseespy\n  python3 {out}\n");
+    let answer = Answer::new()
+        .say(Where::Terminal, "Wrote", vec![out])
+        .part(Where::Terminal, Part::Markup(next));
+    Ok(answer.text(Form::Brief))
 }

@@ -1,16 +1,14 @@
 //! `pounding gap`: how wide the gaps of a row must be under a folder of records.
 
-use pounding::text::Refused;
 use std::path::PathBuf;
 
-use pounding::assess::{MotionLine, RequiredGap, Rule, RuleAssessment, Separation, Suite};
+use pounding::assess::{RequiredGap, Rule, RuleAssessment, Separation};
 use pounding::scene::{Error, Excess, Floors, Implausible, Scene, Structure};
-use pounding::text::{Cell, csv_text, digits, json_text, rounded_up};
-use serde_json::json;
+use pounding::text::{Answer, Cell, Form, Refused, Table, Where, digits, rounded_up, short};
+use serde_json::{Value, json};
 
 use super::declared::Declared;
-use super::suite;
-use crate::text::{paragraph, short, table};
+use super::suite::{self, MotionRow, OfFolder, UnderMotion};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -28,7 +26,7 @@ Verticals, velocities, copies, and records in boreholes or on structures are
 left out. Records lists them with the reason, and those whose direction nothing
 tells: they count as horizontal.";
 
-/// What is asked of `gap`.
+/// The arguments of `gap`.
 #[derive(Debug, clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub(crate) struct Arguments {
@@ -51,8 +49,27 @@ pub(crate) struct Arguments {
     declared: Declared,
 }
 
-/// The widths under one motion in one direction, what the motion is beyond its model, and what looks wrong.
-type Line = MotionLine<(Vec<Separation>, Vec<Excess>, Vec<Implausible>)>;
+/// The widths that the gaps of a row need under one motion in one direction.
+struct GapsUnderMotion {
+    separations: Vec<Separation>,
+    /// Responses beyond the model, of the kinds that count for widths.
+    cautions: Vec<Excess>,
+    doubts: Vec<Implausible>,
+}
+
+impl UnderMotion for GapsUnderMotion {
+    fn doubts(&self) -> &[Implausible] {
+        &self.doubts
+    }
+
+    fn excesses(&self) -> &[Excess] {
+        &self.cautions
+    }
+
+    fn facts(&self, scene: &Scene) -> Value {
+        json!({"gaps": numbers(scene, Table::of(&self.separations), |one| Some(*one)).json()})
+    }
+}
 
 /// The widths under every record.
 pub(crate) fn run(args: &Arguments) -> Result<String, Refused> {
@@ -67,68 +84,39 @@ pub(crate) fn run(args: &Arguments) -> Result<String, Refused> {
     let apart = scene.apart();
     let records = suite::read(&args.records, &args.declared, &scene)?;
     let ran = suite::lines(&apart, &records, &[false, true], |prepared| {
-        let (widths, excesses) = Separation::judged(prepared)?;
-        Ok((widths, excesses, prepared.doubts()))
+        let (separations, mut excesses) = Separation::judged(prepared)?;
+        excesses.retain(|one| one.kind.is_caution());
+        Ok(GapsUnderMotion {
+            separations,
+            cautions: excesses,
+            doubts: prepared.doubts(),
+        })
     })?;
-    let lines = &ran.lines;
-    ran.answer(if args.json {
-        json_of(&scene, &records, lines)
-    } else if args.csv {
-        csv_of(&scene, &records, lines)
-    } else {
-        text(&scene, &records, lines, args.details)
-    })
+    let folder = OfFolder {
+        scene: &scene,
+        suite: &records,
+        lines: &ran.lines,
+        warnings: Floors::of(&scene).map_or_else(|_| Vec::new(), |floors| floors.says_no_level()),
+    };
+    ran.answer(answer(&folder).text(Form::asked(args.details, args.csv, args.json)))
 }
 
-/// The widths of a line, if it was not refused.
-fn widths_of(line: &Line) -> Option<&Vec<Separation>> {
-    line.found.as_ref().ok().map(|(widths, ..)| widths)
-}
-
-/// What looks wrong in the scene and in its records, a line for each kind.
-fn unusual(lines: &[Line]) -> Vec<Implausible> {
-    let found = lines.iter().filter_map(|line| Some((line, line.found.as_ref().ok()?)));
-    let all = found.flat_map(|(line, (.., doubts))| {
-        let doubts = doubts.iter();
-        doubts.map(|doubt| (line.motion.as_str(), doubt))
-    });
-    Implausible::gathered(all)
-}
-
-/// What the widths rest on and should not: motion beyond its model, and floors that face no floor.
-fn warnings(scene: &Scene, records: &Suite, lines: &[Line]) -> Vec<String> {
-    let found = lines.iter().filter_map(|line| line.found.as_ref().ok());
-    let beyond = Excess::gathered(found.map(|(_, excesses, _)| excesses)).into_iter();
-    let beyond = beyond.filter(|one| one.kind.is_caution());
-    let no_level = Floors::of(scene).map_or_else(|_| Vec::new(), |floors| floors.says_no_level());
-    let missing = records.says_missing(MotionLine::failed(lines).len()).into_iter();
-    let beyond = beyond.map(|one| one.to_string());
-    missing.chain(beyond).chain(no_level).collect()
-}
-
-/// Names of the neighbours of a gap.
-fn names(scene: &Scene, left: usize) -> [&str; 2] {
-    [left, left + 1].map(|index| scene.structures[index].name())
-}
-
-/// A table per gap, and what of the rules is too narrow.
-fn text(scene: &Scene, records: &Suite, lines: &[Line], details: bool) -> String {
-    let n_gaps = lines.iter().find_map(|line| Some(widths_of(line)?.len()));
-    let n_gaps = n_gaps.unwrap_or(0);
-    let mut parts: Vec<String> = crate::text::unusual(&unusual(lines)).into_iter().collect();
-    let warnings = warnings(scene, records, lines);
-    if !warnings.is_empty() {
-        parts.push(paragraph("Warnings", &warnings.join("\n")));
-    }
-    parts.push(paragraph("Scene", &scene.name));
-    parts.extend((0..n_gaps).map(|gap| of_gap(scene, lines, gap)));
-    parts.push(suite::records(records, lines, details));
+/// A table for each gap, and which rules are too narrow.
+fn answer<'a>(folder: &'a OfFolder<'_, GapsUnderMotion>) -> Answer<'a> {
+    let scene = folder.scene;
+    let n_gaps = folder.found().next().map_or(0, |(_, found)| found.separations.len());
+    let answer = (0..n_gaps).fold(folder.answer(), |answer, gap| of_gap(folder, answer, gap));
     let levels = has_storeys(scene).then_some(LEVELS);
     let travels = scene.arrivals_s.is_some().then_some(TRAVELS);
-    let notes = [Some(NOTES), levels, travels];
-    let notes: Vec<&str> = notes.into_iter().flatten().collect();
-    parts.push(paragraph("Notes", &notes.join("\n")));
-    parts.join("\n")
+    let notes = [Some(NOTES), levels, travels].into_iter().flatten();
+    answer
+        .say(Where::FirstScreen, "Records", folder.records(false))
+        .say(Where::Details, "Records", folder.records(true))
+        .say(Where::Terminal, "Notes", notes.map(String::from).collect())
+        .with_csv(|| {
+            let rows = |line, found: &'a GapsUnderMotion| found.separations.iter().map(|one| MotionRow::of(line, Some(one))).collect();
+            folder.table(rows, |table| numbers(scene, table, |row| row.found)).csv()
+        })
 }
 
 const LEVELS: &str = "Level: that of the floors that need most and whose displacements the rules take, counted from 1 for the lowest; \
@@ -142,37 +130,63 @@ const NOTES: &str = "Needs: the largest closing of the gap while every structure
                      all floors of both are level by the heights given; ASCE 7 is SRSS of the displacements of the time history; DDC takes elastic \
                      periods and damping. * marks what is too narrow.";
 
-/// The table of one gap.
-fn of_gap(scene: &Scene, lines: &[Line], gap: usize) -> String {
-    let mut all = Vec::new();
-    let mut rows = Vec::new();
-    let mut left = gap;
-    for line in lines {
-        let Some(separation) = widths_of(line).and_then(|found| found.get(gap)) else {
-            continue;
-        };
-        left = separation.left;
-        all.push(([line.event, 0], separation));
-        rows.push((line.name(), *separation));
-    }
-    let [one, other] = names(scene, left);
-    let found = RequiredGap::of(&all);
-    let own = scene.contacts.as_ref().and_then(|contacts| contacts.get(left));
-    format!(
-        "{}{}\n{}",
-        paragraph(
-            "Gap",
-            &format!(
-                "{one} – {other}{}",
-                own.map_or(String::new(), |own| format!(", {} mm in the scene", digits(own.gap_m * 1e3)))
-            )
-        ),
-        widths(&rows, has_storeys(scene)),
-        found.map_or(String::new(), |found| paragraph(
-            "Result",
-            &result(&found, own.map(|own| own.gap_m))
-        ))
-    )
+/// Adds the numbers of separations to a table: all of them for programs; the width that a gap needs and those of the common rules for
+/// people.
+fn numbers<'a, Of: 'a>(scene: &'a Scene, table: Table<'a, Of>, one: fn(&Of) -> Option<&Separation>) -> Table<'a, Of> {
+    let name = move |row: &Of, side: usize| one(row).map(|one| Cell::from(scene.structures[one.left + side].name()));
+    let level = move |row: &Of| one(row).map(|one| one.at_level);
+    let table = table
+        .column("left", move |row| name(row, 0))
+        .column("right", move |row| name(row, 1));
+    let table = if has_storeys(scene) {
+        table.both("level", "Level", level, level)
+    } else {
+        table.column("level", level)
+    };
+    let number = |number: fn(&Separation) -> f64| move |row: &Of| Cell::exact(one(row).map(number));
+    let text = |text: fn(&Separation) -> String| move |row: &Of| one(row).map(text);
+    let table = table
+        // A blank stands in place of a mark, so that the digits stand in line.
+        .both(
+            "required_m",
+            ("Needs", "mm"),
+            number(|one| one.required),
+            text(|one| format!("{} ", enough(one.required))),
+        )
+        .both(
+            "time_s",
+            ("at", "s"),
+            number(|one| one.time),
+            text(|one| digits((one.time * 1e3).round() * 1e-3)),
+        )
+        .column("peak_left_m", number(|one| one.peaks[0]))
+        .column("peak_right_m", number(|one| one.peaks[1]));
+    Rule::COMMON.into_iter().fold(table, |table, rule| {
+        let width = move |row: &Of| Cell::exact(one(row).and_then(|one| rule.width(one)));
+        let marked = move |row: &Of| one(row).and_then(|one| Some(marked(rule.width(one)?, one)));
+        table.both(rule.key(), (rule.name(), "mm"), width, marked)
+    })
+}
+
+/// Adds the table of one gap and its result.
+fn of_gap<'a>(folder: &OfFolder<'a, GapsUnderMotion>, answer: Answer<'a>, gap: usize) -> Answer<'a> {
+    let scene = folder.scene;
+    let found = folder.found().filter_map(|(line, found)| Some((line, found.separations.get(gap)?)));
+    let found: Vec<_> = found.collect();
+    let Some((_, first)) = found.first() else {
+        return answer;
+    };
+    let left = first.left;
+    let [one, other] = [left, left + 1].map(|index| scene.structures[index].name());
+    let own = scene.contacts.as_ref().and_then(|contacts| contacts.get(left)).map(|own| own.gap_m);
+    let in_scene = own.map_or_else(String::new, |own| format!(", {} mm in the scene", digits(own * 1e3)));
+    let all: Vec<_> = found.iter().map(|(line, one)| ([line.event, 0], *one)).collect();
+    let said = RequiredGap::of(&all).map_or_else(Vec::new, |all| result(&all, own));
+    let table = Table::of(found).shown("Record", |(line, _)| line.name());
+    answer
+        .say(Where::Terminal, "Gap", vec![format!("{one} – {other}{in_scene}")])
+        .table(Where::Terminal, numbers(scene, table, |(_, one)| Some(*one)).grid())
+        .say(Where::Terminal, "Result", said)
 }
 
 /// Whether floors stand at several levels.
@@ -181,40 +195,13 @@ fn has_storeys(scene: &Scene) -> bool {
     scene.structures.iter().any(is_building)
 }
 
-/// What a gap needs under every record, of buildings with the level that decides.
-fn widths(rows: &[(String, Separation)], levels: bool) -> String {
-    let mut header = vec![
-        ["Record", ""],
-        ["Needs", "[mm]"],
-        ["at", "[s]"],
-        ["ABS", "[mm]"],
-        ["SRSS", "[mm]"],
-        ["DDC", "[mm]"],
-        ["EC 8", "[mm]"],
-        ["ASCE 7", "[mm]"],
-    ];
-    if levels {
-        header.insert(1, ["Level", ""]);
-    }
-    let row = |(name, one): &(String, Separation)| {
-        let mut row = vec![name.clone()];
-        row.extend(levels.then(|| one.at_level.to_string()));
-        row.push(format!("{} ", enough(one.required)));
-        row.push(digits((one.time * 1e3).round() * 1e-3));
-        row.extend(Rule::COMMON.map(|rule| marked(width(rule, one), one)));
-        row
-    };
-    table(&header, &rows.iter().map(row).collect::<Vec<_>>())
-}
-
-/// A width, marked where it is too narrow.
+/// A width, with a mark if it is too narrow and a blank if not.
 fn marked(width: f64, separation: &Separation) -> String {
-    // A blank where there is no mark, so that the digits stand in line.
     let mark = if separation.asks_for_more(width) { "*" } else { " " };
     format!("{}{mark}", millimetres(width))
 }
 
-/// To a tenth of a millimetre; small ones with the digits that they have.
+/// A width to a tenth of a millimetre; a width below 1 mm with four digits.
 fn millimetres(width: f64) -> String {
     if width < 1e-3 {
         short(width * 1e3)
@@ -223,14 +210,14 @@ fn millimetres(width: f64) -> String {
     }
 }
 
-/// The same, not below the width.
+/// A width that is rounded up, so that as much is enough.
 fn enough(width: f64) -> String {
     let decimals = if width < 1e-3 { 4 } else { 1 };
     rounded_up(width * 1e3, decimals)
 }
 
-/// The width that is enough for all events, and how the rules and the scene's own gap do.
-fn result(all: &RequiredGap, own: Option<f64>) -> String {
+/// The width that is enough for all events, and whether the rules and the gap of the scene give it.
+fn result(all: &RequiredGap, own: Option<f64>) -> Vec<String> {
     let widths = &all.required;
     let n = match widths.sorted().len() {
         1 => "the only event".into(),
@@ -267,77 +254,5 @@ fn result(all: &RequiredGap, own: Option<f64>) -> String {
         format!("{name}: too narrow under {}{by}", one.too_narrow)
     };
     lines.extend(common.map(rule));
-    lines.join("\n")
-}
-
-/// Width of a rule that asks for no heights \[m\].
-fn width(rule: Rule, one: &Separation) -> f64 {
-    rule.width(one).unwrap_or(f64::NAN)
-}
-
-/// One row per motion, direction and gap, in SI units.
-fn csv_of(scene: &Scene, records: &Suite, lines: &[Line]) -> String {
-    let found = lines.iter().find_map(|line| widths_of(line)?.first());
-    let names_of_numbers = found.into_iter().flat_map(Separation::numbers).map(|(name, _)| name);
-    let header = ["record", "event", "reversed", "left", "right", "level"].into_iter();
-    let header = header.chain(names_of_numbers).chain(["refused"]);
-    let header: Vec<&str> = header.collect();
-    let row = |line: &Line, one: &Separation| {
-        let [left, right] = names(scene, one.left);
-        let mut row: Vec<Cell> = vec![
-            line.motion.as_str().into(),
-            (line.event + 1).into(),
-            line.reversed.into(),
-            left.into(),
-            right.into(),
-            one.at_level.into(),
-        ];
-        row.extend(one.numbers().map(|(_, number)| Cell::exact(number)));
-        row.push(Cell::default());
-        row
-    };
-    let refused = |name: &str, [event, reversed]: [Cell; 2], reason: &str| {
-        let mut row = vec![name.into(), event, reversed];
-        row.resize(header.len() - 1, Cell::default());
-        row.push(reason.into());
-        row
-    };
-    let rows = lines.iter().flat_map(|line| match &line.found {
-        Ok((found, ..)) => found.iter().map(|one| row(line, one)).collect(),
-        Err(reason) => {
-            let run = [(line.event + 1).into(), line.reversed.into()];
-            vec![refused(&line.motion, run, reason)]
-        }
-    });
-    let none = || [Cell::default(), Cell::default()];
-    let left_out = records.left_out.iter();
-    let left_out = left_out.map(|one| refused(&one.name, none(), &one.reason.sentence()));
-    csv_text(&header, rows.chain(left_out))
-}
-
-fn json_of(scene: &Scene, records: &Suite, lines: &[Line]) -> String {
-    let separation = |one: &Separation| {
-        let [left, right] = names(scene, one.left);
-        let mut gap = json!({"left": left, "right": right, "level": one.at_level});
-        for (name, number) in one.numbers() {
-            gap[name] = json!(number);
-        }
-        gap
-    };
-    let line = |line: &Line| {
-        let mut motion = json!({"record": line.motion, "event": line.event + 1, "reversed": line.reversed});
-        match &line.found {
-            Ok((found, ..)) => motion["gaps"] = found.iter().map(separation).collect(),
-            Err(reason) => motion["refused"] = json!(reason),
-        }
-        motion
-    };
-    json_text(&json!({
-        "scene": scene,
-        "unusual": unusual(lines),
-        "records": records.json(),
-        "warnings": warnings(scene, records, lines),
-        "motions": lines.iter().map(line).collect::<Vec<_>>(),
-        "left_out": records.left_out_json(),
-    }))
+    lines
 }

@@ -1,17 +1,15 @@
-//! `pounding init`: a scene to begin with, whose comments say what else may stand there.
+//! `pounding init`: a scene to begin with, whose comments name what else it may hold.
 
 mod buildings;
 mod record;
 
-use pounding::text::Refused;
 use std::path::PathBuf;
 
+use pounding::text::{Answer, Form, Part, Refused, Where, json_text};
 use serde_json::Value;
 
 use crate::new_file;
 use crate::progress::Waiting;
-use crate::text::paragraph;
-use pounding::text::json_text;
 use record::Named;
 
 const EXAMPLES: &str = "\
@@ -38,24 +36,24 @@ const GENERATED: &str = r#"# A motion from a formula; with a record of yours ins
 #   unit = "g"             # only for files that do not say it themselves
 generated.stochastic = { ground = "medium", pga_m_per_s2 = 3.0, strong_from_s = 2.0, strong_until_s = 8.0, decay_per_s = 0.5, duration_s = 20.0, time_step_s = 0.01, seed = 1 }"#;
 
-/// What is asked of `init`.
+/// The arguments of `init`.
 #[derive(Debug, clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub(crate) struct Arguments {
     /// The file to write: TOML, or JSON where its name ends so.
     #[arg(value_name = "SCENE.toml", default_value = "scene.toml")]
     scene: PathBuf,
-    /// The record that shakes it, seen from here; without it a motion from a formula.
+    /// The record that shakes it, seen from here; by default a motion from a formula.
     #[arg(long, value_name = "FILE")]
     record: Option<PathBuf>,
-    /// Buildings of so many storeys each, from the left, such as 8,5; without it two
+    /// Buildings of this many storeys, from the left, such as 8,5; by default two
     /// structures of one storey.
     #[arg(long, value_name = "N,N…", value_delimiter = ',', value_parser = buildings::storeys)]
     storeys: Vec<usize>,
     /// The gap between neighbours in metres.
     #[arg(long, value_name = "M", default_value_t = 0.02, value_parser = buildings::gap)]
     gap: f64,
-    /// Also where the file is there already.
+    /// Replace a file that exists.
     #[arg(long)]
     overwrite: bool,
 }
@@ -79,19 +77,20 @@ pub(crate) fn run(args: &Arguments) -> Result<String, Refused> {
         .replace("CONTACTS\n", &buildings::contacts(n_gaps, args.gap));
     let is_json = args.scene.extension().is_some_and(|end| end == "json");
     let text = if is_json { json_of(&text)? } else { text };
-    let path = args.scene.display();
+    let path = args.scene.display().to_string();
     let record: Vec<PathBuf> = args.record.iter().cloned().collect();
     new_file::check(&args.scene, &record, args.overwrite)?;
     new_file::write(&args.scene, text.as_bytes(), args.overwrite)?;
-    let mut parts = vec![format!("wrote {path}\n")];
-    if let Some(named) = &named {
-        parts.push(paragraph("Record", &named.said(&path.to_string(), is_json)));
-    }
-    parts.push(format!("next:\n  pounding check {path}\n  pounding run {path} --out results\n"));
-    Ok(parts.join("\n"))
+    let said = named.map(|named| named.said(&path, is_json)).into_iter().collect();
+    let next = format!("next:\n  pounding check {path}\n  pounding run {path} --out results\n");
+    let answer = Answer::new()
+        .say(Where::Terminal, "Wrote", vec![path])
+        .say(Where::Terminal, "Record", said)
+        .part(Where::Terminal, Part::Markup(next));
+    Ok(answer.text(Form::Brief))
 }
 
-/// A scene of TOML, which holds comments, as JSON, which does not.
+/// A scene in TOML as JSON, without the comments.
 fn json_of(toml: &str) -> Result<String, Refused> {
     let scene: Value = toml::from_str(toml).map_err(|error| error.to_string())?;
     Ok(json_text(&scene))

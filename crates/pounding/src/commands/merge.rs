@@ -3,9 +3,10 @@
 use std::path::PathBuf;
 
 use pounding::sweep::{Parts, merge};
+use pounding::text::Answer;
 
 use super::Failure;
-use super::sweep::{answer, result};
+use super::sweep::of_table;
 use crate::new_file;
 
 const EXAMPLES: &str = "\
@@ -18,17 +19,17 @@ The parts of all shards must be there, in one folder or in several; what is
 missing is named. The table has the bytes of a sweep that ran without shards.
 The parts stay: delete them when the table is what was wanted.";
 
-/// What is asked of `merge`.
+/// The arguments of `merge`.
 #[derive(Debug, clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub(crate) struct Arguments {
-    /// The table: CSV, compressed where the name ends in .zst.
+    /// The table: CSV, compressed if the name ends in .zst.
     #[arg(value_name = "OUT")]
     out: PathBuf,
-    /// Folders of parts, as shards leave them; without any, OUT.parts.
+    /// Folders of parts, as shards leave them; by default OUT.parts.
     #[arg(value_name = "PARTS")]
     folders: Vec<PathBuf>,
-    /// Also where the table is there already.
+    /// Replace a table that exists.
     #[arg(long)]
     overwrite: bool,
 }
@@ -45,5 +46,5 @@ pub(crate) fn run(args: &Arguments) -> Result<String, Failure> {
     let joined = merge(out, &folders, new_file::existing(args.overwrite));
     let joined = joined.map_err(|error| error.to_string())?;
     new_file::say_if_unlocked(joined.is_locked);
-    answer(result(&joined, out), &joined)
+    of_table(Answer::new(), &joined, out)
 }

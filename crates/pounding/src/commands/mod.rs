@@ -1,4 +1,4 @@
-//! The commands, a file each: what is asked on the command line, and the answer.
+//! The commands, a file each: their options and their answers.
 
 mod advise;
 mod assess;
@@ -88,11 +88,11 @@ enum Command {
     Completions(completions::Arguments),
 }
 
-/// An answer that is none, or not all of what was asked for.
+/// An answer that is missing or incomplete.
 pub(crate) struct Failure {
-    /// What is printed nevertheless.
+    /// The text that is printed nevertheless.
     pub(crate) printed: String,
-    /// What is said on standard error.
+    /// The reason, for standard error.
     pub(crate) refused: Refused,
 }
 
@@ -106,10 +106,10 @@ impl<R: Into<Refused>> From<R> for Failure {
 }
 
 impl Program {
-    /// What is printed.
+    /// Returns the text to print.
     ///
     /// # Errors
-    /// What is said on standard error, and what is printed nevertheless.
+    /// Gives the reason for standard error, and the text that is printed nevertheless.
     pub(crate) fn run(&self) -> Result<String, Failure> {
         let text = match &self.command {
             Command::Motion(args) => return motion::run(args),
@@ -134,7 +134,7 @@ impl Program {
     }
 }
 
-/// Reads and prepares a scene, with a bar where its method has to be found; `force` as in [`SimulationOptions`].
+/// Reads and prepares a scene, with a bar if its method has to be found; `force` as in [`SimulationOptions`].
 fn prepare(path: &Path, force: bool) -> Result<Simulation, Error> {
     let scene = read(path)?;
     let progress = Progress::new();
@@ -147,7 +147,7 @@ fn prepare(path: &Path, force: bool) -> Result<Simulation, Error> {
     Simulation::new(&scene, options)
 }
 
-/// The scene of a file, or where its name is `-` of standard input, as TOML or JSON; records are then named from here.
+/// Reads a scene from a file as TOML or JSON; `-` is standard input, whose records are named from the current folder.
 fn read(path: &Path) -> Result<Scene, Error> {
     if path != Path::new("-") {
         return Scene::read(path);
@@ -156,7 +156,7 @@ fn read(path: &Path) -> Result<Scene, Error> {
     Scene::parse(&text, path)
 }
 
-/// The files that a scene was read from: its own, and its record.
+/// The files that a scene was read from: the scene and its record.
 fn inputs(path: &Path, prepared: &Simulation) -> Vec<PathBuf> {
     let record = prepared.origin().map(|origin| origin.path.clone());
     record.into_iter().chain([path.to_path_buf()]).collect()
@@ -173,7 +173,7 @@ fn folder(path: &Path) -> &Path {
     path.parent().unwrap_or_else(|| Path::new(""))
 }
 
-/// A finite number ≥ 0, or so many per cent.
+/// A finite number ≥ 0, also in per cent.
 fn part_of_one(text: &str) -> Result<f64, String> {
     let text = text.trim();
     let (number, divisor) = match text.strip_suffix('%') {

@@ -1,21 +1,18 @@
 //! `pounding run`: runs a scene and says what happened.
 
 mod batch;
-mod effects;
 
-use pounding::text::{RefusalKind, Refused};
 use std::path::{Path, PathBuf};
 
 use pounding::assess::Effects;
-use pounding::report::{BothDirections, Report, Summary, other_direction};
-use pounding::scene::{Error, Implausible, Review, Simulation};
+use pounding::report::{Report, other_direction};
+use pounding::scene::{Error, Implausible, Simulation};
 use pounding::solver::LedgerError;
+use pounding::text::{Form, RefusalKind, Refused, Where};
 
 use super::declared::Declared;
 use crate::folder::Out;
 use crate::progress::Waiting;
-use crate::summary;
-use crate::text::paragraph;
 
 const EXAMPLES: &str = "\
 Examples:
@@ -40,7 +37,7 @@ Of a folder of records verticals, velocities, copies, and records in boreholes
 or on structures are left out. Records lists them with the reason, and those
 whose direction nothing tells: they count as horizontal.";
 
-/// What is asked of `run`.
+/// The arguments of `run`.
 #[derive(Debug, clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub(crate) struct Arguments {
@@ -78,7 +75,7 @@ struct How {
     force: bool,
 }
 
-/// What is printed.
+/// How the answer is printed.
 #[derive(Debug, clap::Args)]
 struct Shown {
     /// Run the direction of the scene only; by default the first lines also say
@@ -93,7 +90,7 @@ struct Shown {
     json: bool,
 }
 
-/// Under which records.
+/// The records of a folder.
 #[derive(Debug, clap::Args)]
 struct Suite {
     /// Run the scene under every record of a folder instead of its own.
@@ -116,34 +113,22 @@ struct Results {
     /// text, CSV and JSON.
     #[arg(long, value_name = "FOLDER")]
     out: Option<PathBuf>,
-    /// Also where the folder holds other things; they stay.
+    /// Write into a folder that holds other things; they stay.
     #[arg(long, requires = "out")]
     overwrite: bool,
 }
 
 impl Results {
-    /// Takes the folder, where one is asked for.
+    /// Takes the folder, if one is asked for.
     fn open(&self) -> Result<Option<Out>, Refused> {
         let open = |out: &PathBuf| Out::open(out, self.overwrite);
         self.out.as_ref().map(open).transpose()
     }
 }
 
-/// How an answer is printed.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Printed {
-    Text,
-    Csv,
-    Json,
-}
-
 impl Arguments {
-    fn printed(&self) -> Printed {
-        match (self.suite.csv, self.shown.json) {
-            (true, _) => Printed::Csv,
-            (_, true) => Printed::Json,
-            _ => Printed::Text,
-        }
+    fn form(&self) -> Form {
+        Form::asked(self.shown.details, self.suite.csv, self.shown.json)
     }
 }
 
@@ -177,24 +162,22 @@ pub(crate) fn run(args: &Arguments) -> Result<String, Refused> {
         failed(error).help_also(hint)
     })?;
     let other = (!args.shown.one_direction).then(|| other_direction(&prepared));
-    let Some(out) = out else {
-        let review = prepared.review(measure).map_err(failed)?;
-        let both = other.map(|other| BothDirections::of(&prepared, &review, other));
-        return Ok(answer(args, (&prepared, effects), &review, both.as_ref()));
+    let report = if out.is_some() {
+        Report::of(&prepared, measure).map_err(failed)?
+    } else {
+        Report::of_review(&prepared, prepared.review(measure).map_err(failed)?.into())
     };
-    let report = Report::of(&prepared, measure).map_err(failed)?;
-    let mut report = report.with_effects(effects.clone());
+    let mut report = report.with_effects(effects);
     if let Some(other) = other {
         report = report.with_other_direction(other);
     }
-    out.write(&report.files())?;
-    let text = answer(args, (&prepared, effects), report.review(), report.directions());
-    let page = out.path().join("report.html");
-    Ok(if args.shown.json {
-        text
-    } else {
-        format!("{text}\n{}", paragraph("Results", &page.display().to_string()))
-    })
+    let mut answer = report.answer();
+    if let Some(out) = out {
+        out.write(&report.files())?;
+        let page = out.path().join("report.html");
+        answer = answer.say(Where::Terminal, "Results", vec![page.display().to_string()]);
+    }
+    Ok(answer.text(args.form()))
 }
 
 const NO_FOLDER: &str = "found what files do not say (--unit, --time-step, --per-count, --acceleration, --in-rows), allowed is it with --records; of the \
@@ -203,7 +186,7 @@ const NO_FOLDER: &str = "found what files do not say (--unit, --time-step, --per
 const EFFECTS_ARE_EXACT: &str =
     "; --effects always uses the exact method, whatever the scene says: without it the scene runs by its own method";
 
-/// Why a run failed, with what looks wrong in its scene: that may be the reason.
+/// The refusal of a run that failed, with unusual values of its scene, which may be the reason.
 fn with_doubts(args: &Arguments, refused: Refused, prepared: &Simulation) -> Refused {
     // JSON has the parts of one refusal; `check --json` has what is unusual.
     if args.shown.json {
@@ -220,30 +203,7 @@ fn with_doubts(args: &Arguments, refused: Refused, prepared: &Simulation) -> Ref
     }
 }
 
-/// What is printed of a run: what is unusual, what both directions do, and the run itself; JSON has them inside.
-fn answer(args: &Arguments, (prepared, effects): (&Simulation, Option<Effects>), review: &Review, both: Option<&BothDirections>) -> String {
-    let notices = both.map_or_else(|| review.notices(), |both| both.notices.clone());
-    if args.shown.json {
-        let summary = Summary::of(prepared, review);
-        return Summary {
-            effects,
-            warnings: notices,
-            ..summary
-        }
-        .to_json();
-    }
-    let run = if args.shown.details {
-        summary::details(prepared, review, &notices)
-    } else {
-        summary::brief(prepared, review, &notices)
-    };
-    let effects = effects.map(|effects| effects::text(prepared, &effects));
-    let first = [summary::unusual(prepared), both.map(summary::direction::text)];
-    let parts = first.into_iter().flatten().chain([run]).chain(effects);
-    parts.collect::<Vec<_>>().join("\n")
-}
-
-/// The message of a scene that is refused; of what `--force` prints all the same, with a hint at it.
+/// The refusal of a scene, with a hint at `--force` if that would print its numbers.
 fn hint(error: Error, path: &Path) -> Refused {
     let is_forced = matches!(error, Error::Broken { .. }) || error.refused().is_kind(RefusalKind::Unstable);
     let is_exact = matches!(

@@ -12,7 +12,7 @@ Most editors complete and check a TOML scene that begins with
   #:schema scene.schema.json
 and a JSON scene by a setting of their own.";
 
-/// What is asked of `schema`.
+/// The arguments of `schema`.
 #[derive(Debug, clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub(crate) struct Arguments {

@@ -4,20 +4,17 @@ mod joined;
 mod summed;
 mod task;
 
-use pounding::text::Refused;
 use std::path::{Path, PathBuf};
 
-use pounding::assess::Suite;
 use pounding::scene::Method;
 use pounding::sweep::{ColumnErrors, Parts, Shard, Sweep, SweepAccuracy, beside_table, summary_beside};
-use pounding::text::digits;
+use pounding::text::{Answer, Form, Refused, Where, digits, percent};
 
-pub(super) use joined::{answer, result};
+pub(super) use joined::of_table;
 
 use super::Failure;
-use super::suite::{STOPPED, stop_when_asked};
+use super::suite::{STOPPED, said_briefly, stop_when_asked};
 use crate::progress::{Counter, Waiting};
-use crate::text::{paragraph, percent, unusual};
 use crate::{new_file, say};
 
 const EXAMPLES: &str = "\
@@ -46,18 +43,18 @@ A shard is a share of the runs: with --shard it leaves its parts, which
 SLURM_ARRAY_TASK_ID, or HQ_TASK_ID with --shards. studies/jobs has scripts.
 All processors are used; RAYON_NUM_THREADS limits them.";
 
-/// What is asked of `sweep`.
+/// The arguments of `sweep`.
 #[derive(Debug, clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub(crate) struct Arguments {
     /// The sweep, a TOML or JSON file.
     #[arg(value_name = "SWEEP")]
     sweep: PathBuf,
-    /// The table: CSV, compressed where the name ends in .zst; without it, beside
-    /// the sweep, as sweep.toml.csv.
+    /// The table: CSV, compressed if the name ends in .zst; by default
+    /// beside the sweep, as sweep.toml.csv.
     #[arg(long, value_name = "FILE")]
     out: Option<PathBuf>,
-    /// Also where the table is there already, or parts of another sweep.
+    /// Replace a table that exists, and parts of another sweep.
     #[arg(long)]
     overwrite: bool,
     /// Run a share of the runs alone and leave its parts, such as 2/8.
@@ -68,7 +65,7 @@ pub(crate) struct Arguments {
     shards: Option<u64>,
 }
 
-/// The shard of the task of a job array, where this is one; else the whole.
+/// The shard of the task of a job array; the whole sweep if the process is no such task.
 fn shard_of_task(shards: Option<u64>) -> Result<Shard, Refused> {
     let task = task::shard(shards, |name| std::env::var(name).ok())?;
     if let Some((variable, shard)) = &task {
@@ -77,7 +74,7 @@ fn shard_of_task(shards: Option<u64>) -> Result<Shard, Refused> {
     Ok(task.map_or(Shard::WHOLE, |(_, shard)| shard))
 }
 
-/// Says before long work begins how it is done, and what of earlier work is of no use.
+/// Says before long work begins how it is done, and which parts of earlier work are damaged.
 fn announce(sweep: &Sweep, parts: &Parts) {
     if let Some(accuracy) = sweep.accuracy() {
         say(&chosen(accuracy));
@@ -91,7 +88,7 @@ fn announce(sweep: &Sweep, parts: &Parts) {
     }
 }
 
-/// Runs a sweep, or what is missing of it.
+/// Runs a sweep, or the runs that are missing.
 pub(crate) fn run(args: &Arguments) -> Result<String, Failure> {
     let shard = match args.shard {
         Some(shard) => shard,
@@ -140,54 +137,46 @@ pub(crate) fn run(args: &Arguments) -> Result<String, Failure> {
 
 /// Joins what has run, and says what it was.
 fn end(args: &Arguments, sweep: &Sweep, parts: Parts, out: &Path) -> Result<String, Failure> {
-    let mut lines: Vec<String> = unusual(&sweep.unusual()).into_iter().collect();
-    lines.push(paragraph("Sweep", &runs(sweep, &parts)));
-    let contact = sweep.says_of_contact();
-    if !contact.is_empty() {
-        lines.push(paragraph("Contact", &contact.join("\n")));
-    }
-    lines.extend(sweep.suite().map(|suite| paragraph("Records", &said_of(suite))));
-    if let Some(accuracy) = sweep.accuracy() {
-        lines.push(paragraph("Accuracy", &measured(accuracy, out)?));
-    }
-    if parts.n_runs_there() > 0 {
-        let text = format!("{} runs were there already", parts.n_runs_there());
-        lines.push(paragraph("Before", &text));
-    }
+    let records = sweep
+        .suite()
+        .map(|suite| said_briefly(suite, "`pounding run --records` names every one"));
+    let accuracy = sweep.accuracy().map(|accuracy| measured(accuracy, out)).transpose()?;
+    let before = parts.n_runs_there();
+    let before = (before > 0).then(|| format!("{before} runs were there already"));
+    let answer = Answer::new()
+        .say(
+            Where::Terminal,
+            "Unusual",
+            sweep.unusual().iter().map(ToString::to_string).collect(),
+        )
+        .say(Where::Terminal, "Sweep", vec![runs(sweep, &parts)])
+        .say(Where::Terminal, "Contact", sweep.says_of_contact())
+        .say(Where::Terminal, "Records", records.unwrap_or_default())
+        .say(Where::Terminal, "Accuracy", accuracy.into_iter().collect())
+        .say(Where::Terminal, "Before", before.into_iter().collect());
     if !parts.shard().is_whole() {
-        let text = format!(
-            "in {}; when all shards are done, `pounding merge` joins them",
-            parts.folder().display()
-        );
-        lines.push(paragraph("Parts", &text));
-        return Ok(lines.concat());
+        let folder = parts.folder().display();
+        let text = format!("in {folder}; when all shards are done, `pounding merge` joins them");
+        return Ok(answer.say(Where::Terminal, "Parts", vec![text]).text(Form::Brief));
     }
-    let joined = parts.join(new_file::existing(args.overwrite));
-    let joined = joined?;
-    lines.push(result(&joined, out));
-    answer(lines.concat(), &joined)
+    let joined = parts.join(new_file::existing(args.overwrite))?;
+    of_table(answer, &joined, out)
 }
 
-/// What is said of the records of a folder. A sweep has no options for what files do not say: its scene says it.
-fn said_of(suite: &Suite) -> String {
-    let said = suite.said(false).join("\n");
-    said.replace("(--details)", "(`run --records --details` names them)")
-}
-
-/// The table of a sweep that names none: beside it, with its whole name, so that no two sweeps share one.
+/// The table of a sweep by default: beside the sweep and with its whole name, so that no two sweeps share one.
 fn beside(sweep: &Path) -> PathBuf {
     let mut name = sweep.file_name().unwrap_or_default().to_owned();
     name.push(".csv");
     sweep.with_file_name(name)
 }
 
-/// Of a table that an earlier process had put in its place before it was ended.
+/// Says that an earlier process put the table in its place before it was ended.
 fn finished(out: &Path) -> String {
     let text = format!("{}: was finished already; what was left of its parts is gone", out.display());
-    paragraph("Results", &text)
+    Answer::new().say(Where::Terminal, "Results", vec![text]).text(Form::Brief)
 }
 
-/// How many runs there are.
+/// The number of runs.
 fn runs(sweep: &Sweep, parts: &Parts) -> String {
     let (all, n_runs, shard) = (sweep.n_runs(), parts.n_runs(), parts.shard());
     if shard.is_whole() {
@@ -202,7 +191,7 @@ fn errors_beside(out: &Path) -> PathBuf {
     beside_table(out, "accuracy.csv")
 }
 
-/// Refuses a summary beside a table that is there already, unless an earlier process of this sweep was ended behind it.
+/// Refuses a summary that exists beside the table, unless an earlier process of this sweep wrote it.
 fn keep_summary(sweep: &Sweep, out: &Path, overwrite: bool) -> Result<(), Refused> {
     if !sweep.has_summary_beside() {
         return Ok(());
@@ -211,7 +200,7 @@ fn keep_summary(sweep: &Sweep, out: &Path, overwrite: bool) -> Result<(), Refuse
     new_file::check(&summary_beside(out), sweep.inputs(), is_ours)
 }
 
-/// Refuses a table of errors that is there already, unless it is that of this sweep.
+/// Refuses a table of errors that exists, unless it is that of this sweep.
 fn keep_errors(sweep: &Sweep, out: &Path, overwrite: bool) -> Result<(), Refused> {
     let Some(accuracy) = sweep.accuracy() else {
         return Ok(());
@@ -221,9 +210,9 @@ fn keep_errors(sweep: &Sweep, out: &Path, overwrite: bool) -> Result<(), Refused
     new_file::check(&path, sweep.inputs(), overwrite || is_ours)
 }
 
-/// What is said of the method that an accuracy chose; the errors of all columns go beside the table.
+/// A sentence about the method that an accuracy chose; writes the errors of all columns beside the table.
 fn measured(accuracy: &SweepAccuracy, out: &Path) -> Result<String, Refused> {
-    // Every shard measures the same.
+    // Every shard writes the same errors.
     let path = errors_beside(out);
     new_file::write(&path, accuracy.csv().as_bytes(), true)?;
     let ColumnErrors {
@@ -261,7 +250,7 @@ fn measured(accuracy: &SweepAccuracy, out: &Path) -> Result<String, Refused> {
     ))
 }
 
-/// What was asked, and the method that it chose.
+/// The accuracy that was asked for, and the method that it chose.
 fn chosen(accuracy: &SweepAccuracy) -> String {
     let (name, asked) = (accuracy.method.name(), percent(accuracy.asked));
     match accuracy.method.time_step() {

@@ -13,7 +13,7 @@ const WIDE: f64 = 30.0;
 const SWAY: f64 = 9.0;
 const GAP: f64 = 26.0;
 const TALL: f64 = 58.0;
-/// What is left free beside the outer buildings and above the highest roof.
+/// Free space beside the outer buildings and above the highest roof.
 const MARGIN: f64 = 12.0;
 const ABOVE: f64 = 5.0;
 /// From the ground to the names, to the clock, and to the lower edge.

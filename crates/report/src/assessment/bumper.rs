@@ -1,11 +1,11 @@
-//! What an assessment says of bumpers in the gaps.
+//! Sentences of an assessment about bumpers in the gaps.
 
 use pounding_assess::{Bumper, BumperEffect, Distribution};
 use pounding_text::{millimetres, short, two_decimals, two_digits};
 use serde_json::{Value, json};
 
 use super::AssessmentReport;
-use super::facts::statistics;
+use super::tables::statistics;
 
 /// A change in words, of a ratio: "−60 %", "+3 %", and from twice on "× 2.4".
 pub(super) fn change(ratio: f64) -> String {
@@ -97,7 +97,7 @@ impl AssessmentReport {
         )]
     }
 
-    /// The same for machines; null without bumpers.
+    /// The effect of bumpers for programs; null without bumpers.
     pub(super) fn bumper_json(&self) -> Value {
         let Some(effect) = &self.bumper else {
             return Value::Null;

@@ -6,7 +6,7 @@ use pounding_text::{digits, short, two_decimals, two_digits};
 
 use super::{AssessedMotion, AssessmentReport};
 
-/// Records from which on a code takes their mean: ASCE 7-16, 16.2.2.
+/// Least number of records whose mean a code takes: ASCE 7-16, 16.2.2.
 const ENOUGH: usize = 11;
 
 impl AssessmentReport {
@@ -19,7 +19,7 @@ impl AssessmentReport {
         once.filter(|one| !is_usual(one.run.scale)).collect()
     }
 
-    /// What looks wrong in the scene and in its records: it stands before the answer.
+    /// Unusual values in the scene and in its records, which precede the answer.
     pub fn unusual(&self) -> Vec<Implausible> {
         let all = self.motions.iter();
         Implausible::gathered(all.flat_map(|one| {

@@ -130,7 +130,7 @@ fn needing(gap: &GapAssessment, end: f64) -> Vec<(f64, f64)> {
     points
 }
 
-/// What every neighbour needs that an unknown one may be; `None` if all are known.
+/// The width that each possible neighbour needs; `None` if all are known.
 fn by_neighbour(report: &AssessmentReport) -> Option<Figure> {
     let neighbours = report.neighbours();
     let (first, last) = (neighbours.first()?, neighbours.last()?);

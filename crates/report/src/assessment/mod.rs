@@ -1,13 +1,15 @@
 //! An assessment as a folder: a page to forward, tables, figures.
 
+mod answer;
 mod bumper;
 mod cautions;
-mod facts;
 mod figures;
+mod numbers;
 mod of_lines;
 mod page;
 mod prior;
 mod profiles;
+mod tables;
 mod words;
 
 use std::collections::BTreeMap;
@@ -17,6 +19,7 @@ use pounding_assess::{
 };
 use pounding_scene::file::DrawnNeighbour;
 use pounding_scene::{Error, Floors, Scene};
+use pounding_text::Form;
 use serde_json::Value;
 
 use crate::animation::{Animation, FILE};
@@ -36,11 +39,11 @@ pub struct AssessedMotion {
     pub bumper: Option<BumperRun>,
     /// Its spectrum, if it is scaled to one.
     pub spectrum: Option<MotionSpectrum>,
-    /// What it does.
+    /// Results of the run.
     pub run: AssessedRun,
 }
 
-/// What became of the motions of a folder.
+/// The motions of a folder that were used or left out.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct FolderOfMotions {
     /// How many records may be missing, in a sentence: they cannot be read, are refused, or failed.
@@ -49,16 +52,16 @@ pub struct FolderOfMotions {
     pub counts: String,
     /// What shakes nothing, for machines.
     pub left_out: Value,
-    /// What is said of all of these, and of what was declared or is not told.
+    /// Sentences about failures, files that are left out, and declarations.
     pub remarks: Vec<String>,
 }
 
 /// How records are scaled.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ScalingAsked {
-    /// What they are scaled to.
+    /// The target.
     pub to: Scaling,
-    /// How it was asked for, in the words of the command line; `None` if the scene says it.
+    /// The options of the command line that asked for it; `None` if the scene did.
     pub words: Option<String>,
 }
 
@@ -245,11 +248,11 @@ impl AssessmentReport {
 
     /// The files of a folder, by name: `report.html`, `assess.csv`, `assess.json`, `animation.svg` and the figures as SVG and PNG.
     pub fn files(&self) -> BTreeMap<String, Vec<u8>> {
-        let drawn = figures::all(self);
+        let (drawn, answer) = (figures::all(self), self.answer());
         let mut files = BTreeMap::from([
             (PAGE.into(), page::html(self, &drawn).into_bytes()),
-            (TABLE.into(), self.to_csv().into_bytes()),
-            (JSON.into(), pounding_text::json_text(&self.to_json()).into_bytes()),
+            (TABLE.into(), answer.text(Form::Csv).into_bytes()),
+            (JSON.into(), answer.text(Form::Json).into_bytes()),
         ]);
         if let Some(animation) = &self.animation {
             files.insert(FILE.into(), animation.svg.clone().into_bytes());
@@ -261,16 +264,6 @@ impl AssessmentReport {
             }
         }
         files
-    }
-
-    /// Everything for machines, SI units.
-    pub fn to_json(&self) -> Value {
-        facts::json(self)
-    }
-
-    /// A line per number, SI units: record, reversed, building, floor, neighbour, quantity, value.
-    pub fn to_csv(&self) -> String {
-        facts::csv(self)
     }
 
     /// Whether a folder of an assessment can have a file of this name.

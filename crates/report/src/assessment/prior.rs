@@ -1,4 +1,4 @@
-//! What an assessment says of a neighbour that is not known.
+//! Sentences of an assessment about a neighbour that is not known.
 
 use pounding_assess::{Distribution, GapAssessment};
 use pounding_scene::file::{DrawnNeighbour, UnknownNeighbour};
@@ -6,9 +6,9 @@ use pounding_text::{digits, millimetres, two_decimals};
 use serde_json::{Value, json};
 
 use super::AssessmentReport;
-use super::facts::statistics;
+use super::tables::statistics;
 
-/// Probabilities of which the width is told \[–\].
+/// Probabilities whose width is reported \[–\].
 const PROBABILITIES: [f64; 4] = [0.5, 0.84, 0.95, 1.0];
 
 /// A neighbour that was drawn, over all motions and directions.
@@ -21,7 +21,7 @@ pub(super) struct OfNeighbour {
 }
 
 impl AssessmentReport {
-    /// What is known of the neighbour, if it is not known.
+    /// The assumptions about the neighbour, if it is not known.
     fn unknown(&self) -> Option<&UnknownNeighbour> {
         let neighbour = self.asked.neighbour.as_ref();
         neighbour.map(|neighbour| &neighbour.unknown)
@@ -112,7 +112,7 @@ impl AssessmentReport {
         said
     }
 
-    /// The same for machines; null if all are known.
+    /// The assumptions for programs; null if all neighbours are known.
     pub(super) fn prior_json(&self) -> Value {
         let (Some(unknown), Some(gap)) = (self.unknown(), self.gap_beside_unknown()) else {
             return Value::Null;

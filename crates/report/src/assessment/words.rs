@@ -1,4 +1,4 @@
-//! What an assessment says in sentences, for the terminal and the page.
+//! The sentences of an assessment, for the terminal and the page.
 
 use pounding_assess::{Distribution, FloorAssessment, GapAssessment, PairAssessment};
 use pounding_text::{digits, millimetres, millimetres_up, percent, two_decimals, two_digits};
@@ -79,8 +79,8 @@ impl AssessmentReport {
         said
     }
 
-    /// What a sample is: an event, or an event beside a neighbour that was drawn.
-    fn sample(&self) -> &'static str {
+    /// The word for a sample: an event, or an event beside a neighbour that was drawn.
+    pub(super) fn sample(&self) -> &'static str {
         if self.neighbours().is_empty() { "event" } else { "case" }
     }
 
@@ -104,13 +104,13 @@ impl AssessmentReport {
     pub fn answers(&self) -> Vec<String> {
         let mut gaps: Vec<&GapAssessment> = self.assessment.gaps.iter().collect();
         gaps.sort_by_key(|gap| std::cmp::Reverse(gap.touching));
-        let answers = gaps.into_iter().map(|gap| self.answer(gap));
+        let answers = gaps.into_iter().map(|gap| self.answer_of(gap));
         let answers = answers.chain(self.floors.says_no_level());
         answers.chain(self.prior()).collect()
     }
 
     /// Whether a gap is enough for floors that face floors, and what those beside columns may need.
-    fn answer(&self, gap: &GapAssessment) -> String {
+    fn answer_of(&self, gap: &GapAssessment) -> String {
         let answer = self.answer_of_floors(gap);
         gap.beside_columns.map_or(answer.clone(), |width| {
             let width = millimetres_up(width);
@@ -166,7 +166,7 @@ impl AssessmentReport {
         }
     }
 
-    /// What is proposed for every gap that is not enough, and what that leaves to chance.
+    /// The proposed width of every gap that is not enough, and the chance that remains.
     pub fn proposals(&self) -> Vec<String> {
         let n = self.assessment.events;
         let gaps = self.assessment.gaps.iter();
@@ -199,8 +199,8 @@ impl AssessmentReport {
         said
     }
 
-    /// The storeys that get worse by touching: those first whose drift or shear force grows, then those whose acceleration does alone, of
-    /// each those that grow most; their numbers in the row.
+    /// The storeys that get worse by touching, with their numbers in the row: first those whose drift or shear force grows, then those whose
+    /// acceleration alone grows; the largest growth first.
     pub fn worse(&self) -> Vec<(usize, &FloorAssessment)> {
         let floors = self.assessment.floors.iter().enumerate();
         let worse = floors.filter_map(|(index, floor)| Some((index, floor.as_ref()?)));
@@ -227,8 +227,8 @@ impl AssessmentReport {
     }
 }
 
-/// How much wider a gap is than the widest needed, if that is less than the spread of the widths from run to run, the standard
-/// deviation of their logarithms: then another motion of the kind may well need more.
+/// How much wider a gap is than the widest needed, if that is less than the standard deviation of the logarithms of the widths. Then another
+/// motion of the kind may well need more.
 fn margin(own: f64, gap: &GapAssessment) -> String {
     let widths = [gap.largest(), gap.required.largest()];
     let more = own / widths.into_iter().find(|width| *width <= own).unwrap_or(own);
@@ -286,7 +286,7 @@ impl<'f> Worst<'f> {
 }
 
 impl AssessmentReport {
-    /// What touching does, in a sentence each: the storey that gets worst, and the hardest pair.
+    /// The effects of touching, in a sentence each: the storey that gets worst, and the hardest pair.
     pub fn consequences(&self) -> Vec<String> {
         let mut said = Vec::new();
         let worse = self.worse();

@@ -11,7 +11,7 @@ use pounding_solver::Collision;
 /// Stems closer than this part of the run cannot be told from each other: the largest of them is drawn.
 const APART: f64 = 1e-3;
 
-/// What a collision is drawn by.
+/// The symbol of a collision.
 #[derive(Debug, Clone, Copy)]
 struct Measure {
     /// On the axis.
@@ -71,7 +71,7 @@ pub(super) fn figure(seen: &Seen<'_>) -> (Figure, String) {
     (figure, caption)
 }
 
-/// Whether floors of buildings are shown: their curves lie so close that each pair has a panel of its own.
+/// Whether floors of buildings are shown: their curves lie so close that each pair has a separate panel.
 fn by_pairs(seen: &Seen<'_>) -> bool {
     let floors = seen.prepared.floors().all();
     let mut shown = seen.shown.floors.iter();
@@ -150,7 +150,7 @@ fn displacements(seen: &Seen<'_>) -> Panel {
     }
 }
 
-/// A stem for every collision on either neighbour; nothing where there is none.
+/// A stem for every collision on either neighbour; `None` if there is none.
 fn stems(seen: &Seen<'_>, pairs: &[usize], measure: Measure) -> Option<Panel> {
     let found: Vec<(&Collision, f64)> = seen.collisions(pairs).filter_map(|one| Some((one, (measure.of)(one)?))).collect();
     let (hardest, largest) = found

@@ -1,4 +1,4 @@
-//! What pounding does to every storey, drawn: amplifications in both directions, with their ranges.
+//! The effects of pounding on every storey: amplifications in both directions, with their ranges.
 
 use pounding_assess::Effects;
 use pounding_plot::{Axis, Curve, CurveKind, Figure, Legend, Mark, Panel, Shade, writable};
@@ -11,7 +11,7 @@ const PANELS: [&str; 3] = ["Drift", "Shear", "Acceleration"];
 /// How far the two directions of a storey stand apart, in storeys.
 const APART: f64 = 0.16;
 
-/// The figure with its caption; nothing where nothing touches.
+/// The figure with its caption; `None` if nothing touches.
 pub(super) fn figure(effects: &Effects, prepared: &Simulation) -> Option<(Figure, String)> {
     let floors = shown(effects, prepared);
     if floors.is_empty() || !effects.touch() {

@@ -3,7 +3,7 @@
 use super::{Seen, around, brief, heights, name};
 use pounding_plot::{Axis, Curve, CurveKind, Figure, Legend, Panel, Shade, sparse_markers};
 
-/// Nothing for structures that stand apart.
+/// The gaps over time; `None` if no pair is shown.
 pub(super) fn figure(seen: &Seen<'_>) -> Option<(Figure, String)> {
     let pairs = &seen.shown.panels;
     if pairs.is_empty() {

@@ -14,7 +14,7 @@ const BEYOND: f64 = 1.25;
 /// Damping ratio of the spectrum \[–\].
 const DAMPING_RATIO: f64 = 0.05;
 
-/// What stands at the periods of structures.
+/// Labels at the periods of structures.
 const MARKS: [Mark; 6] = [Mark::Disc, Mark::Square, Mark::Triangle, Mark::Diamond, Mark::Inverted, Mark::Ring];
 
 pub(super) fn figure(seen: &Seen<'_>) -> (Figure, String) {
@@ -82,7 +82,7 @@ fn periods_of(seen: &Seen<'_>) -> Vec<(String, f64)> {
     all.into_iter().map(|(_, name, period)| (name, period)).collect()
 }
 
-/// Nothing where the spectrum is refused: a period so short that the record holds some hundred thousand.
+/// `None` if the spectrum is refused: a period so short that the record holds some hundred thousand of them.
 fn spectrum(seen: &Seen<'_>, gravity: f64) -> Option<Panel> {
     let own = periods_of(seen);
     let shortest = own.iter().map(|one| one.1 / BEYOND).fold(USUAL.0, f64::min);

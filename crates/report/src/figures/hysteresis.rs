@@ -7,7 +7,7 @@ use pounding_plot::{Axis, Curve, CurveKind, Figure, Panel, Shade};
 /// More panels than this do not fit on a page.
 const MOST: usize = 6;
 
-/// Nothing where no structure yields.
+/// The loops of columns that yield; `None` if none does.
 pub(super) fn figure(seen: &Seen<'_>) -> Option<(Figure, String)> {
     let floors = seen.prepared.floors().all().iter().enumerate();
     let mut found: Vec<(usize, f64)> = floors
@@ -61,8 +61,8 @@ fn is_smooth(seen: &Seen<'_>, index: usize) -> bool {
     made_of.is_some_and(|made| made.columns.bouc_wen.is_some())
 }
 
-/// A loop with the corners that lie between two rows of the history, of columns of stiffness k that yield with a k: each is where a line of
-/// one slope through the one row meets a line of the other through the other.
+/// A loop of columns of stiffness k that yield with a k, with the corners between two rows of the history. A corner is where a line of one
+/// slope through the first row meets a line of the other slope through the second.
 fn with_corners(points: &[(f64, f64)], [elastic, yielding]: [f64; 2]) -> Vec<(f64, f64)> {
     let mut cornered: Vec<(f64, f64)> = Vec::with_capacity(points.len());
     for point in points {
@@ -125,8 +125,8 @@ fn panel(seen: &Seen<'_>, index: usize, range: Option<(f64, f64)>) -> Panel {
 mod tests {
     use super::with_corners;
 
-    /// Rows on both sides of a corner cut it off: of columns of 2 kN/mm that yield at 4 kN, one between 1.5 and 3 mm, and one at the turn
-    /// at 5 mm between 4.5 and 4 mm on the way back.
+    /// Rows on both sides of a corner cut it off. Columns of 2 kN/mm that yield at 4 kN have one corner between 1.5 and 3 mm, and one at the
+    /// turn at 5 mm, between 4.5 and 4 mm on the way back.
     #[test]
     fn issue_corners_of_loops_were_cut_off() {
         let rows = [(0.0, 0.0), (1.5, 3.0), (3.0, 4.0), (4.5, 4.0), (4.0, 2.0)];

@@ -34,10 +34,10 @@ pub(crate) struct Illustration {
     pub(crate) drawn: Result<(String, Vec<u8>), PlotError>,
 }
 
-/// What is known of a scene besides its own run.
+/// Results of a scene besides its run.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Known<'a> {
-    /// What pounding does to every storey.
+    /// The effects of pounding on every storey.
     pub(super) effects: Option<&'a Effects>,
     /// The run in the other direction.
     pub(super) other: Option<&'a RunResult>,

@@ -6,7 +6,7 @@ use pounding_scene::{Floors, RunResult, Scene, Simulation};
 
 /// More buildings than this do not fit side by side.
 pub(crate) const MOST: usize = 4;
-/// More storeys than this have no names of their own on an axis.
+/// Most storeys whose names stand on an axis.
 const NAMED: usize = 12;
 
 /// `None` if no building has several storeys.
@@ -80,7 +80,7 @@ fn caption(known: Known<'_>, (shown, all): (usize, usize)) -> String {
     format!("Peak storey drift and shear force over the height of the buildings{both}.{alone}{left_out}")
 }
 
-/// What is shown, with the unit of shear forces that fits a run.
+/// The profiles that are shown, with the unit of shear forces that fits a run.
 fn responses(prepared: &Simulation, outcome: &RunResult) -> [Response; 2] {
     let floors = prepared.floors();
     let all = 0..floors.all().len();

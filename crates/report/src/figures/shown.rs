@@ -1,4 +1,4 @@
-//! What of a long row is shown: the pairs that are hit hardest.
+//! The part of a long row that is shown: the pairs that are hit hardest.
 
 use crate::PairSummary;
 use pounding_scene::{Floors, PairQuantity, Simulation};
@@ -15,9 +15,9 @@ pub(super) struct Selection {
     pub(super) floors: Vec<usize>,
     /// Pairs of them.
     pub(super) pairs: Vec<usize>,
-    /// Pairs with a panel of their own.
+    /// Pairs with a separate panel.
     pub(super) panels: Vec<usize>,
-    /// What is left out, in a sentence; empty where nothing is.
+    /// A sentence about pairs that are left out; empty if none is.
     pub(super) left_out: String,
 }
 
@@ -76,8 +76,8 @@ pub(super) fn drawn(floors: &Floors, floor: usize) -> usize {
     }
 }
 
-/// Pairs, those hit hardest first: by their largest forces, by which a building that leans on its neighbour is none that hits it,
-/// or by their largest impulses where an impact has no force; of those that are not hit, the one that comes closest.
+/// Pairs, those hit hardest first: by their largest forces, which do not count a building that leans on its neighbour as a hit, or by their
+/// largest impulses if impacts have no force. Pairs that are not hit follow, the closest first.
 fn ranked(pairs: &[PairSummary]) -> Vec<usize> {
     let force = |pair: &PairSummary| pair.number(PairQuantity::PeakForceN);
     let forces = pairs.iter().all(|pair| pair.collisions() == 0 || force(pair).is_some());

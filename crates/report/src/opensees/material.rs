@@ -22,7 +22,7 @@ const FAR: f64 = 1e6;
 const HERTZ: f64 = 1.5;
 const LINEAR: f64 = 1.0;
 
-/// What is said of laws without an equal.
+/// The reason why a law has no equal.
 const ALLOWED: &str = "which OpenSees does not have; allowed are linear_spring, hertz, nonlinear_viscoelastic, \
                        hertz_damp, modified_kelvin: choose one of them for the check";
 
@@ -37,7 +37,7 @@ impl Material {
     /// Its strain is the displacement of the right neighbour less that of the left one: gaps are negative.
     ///
     /// # Errors
-    /// Says of a law without an equal what is allowed.
+    /// The refusal of a law without an equal names the laws that are allowed.
     #[expect(
         clippy::wildcard_enum_match_arm,
         reason = "a law is none of OpenSees until somebody finds its material"

@@ -13,7 +13,7 @@ use row::ScriptRow;
 /// How a scene becomes a script.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct OpenSees {
-    /// Time step of OpenSees \[s\]; without it a fine one.
+    /// Time step of OpenSees \[s\]; by default a fine one.
     pub time_step: Option<f64>,
     /// Whether Kelvin–Voigt contacts take a material that pulls.
     pub approximate: bool,
@@ -32,7 +32,7 @@ impl OpenSees {
     /// The script: the row, the ground motion as the scene uses it, and the numbers of the exact method, whatever the method of the scene.
     ///
     /// # Errors
-    /// Names the field that the script does not model, or says why the exact run fails.
+    /// Names the field that the script does not model, or gives the failure of the exact run.
     pub fn script(self, prepared: &Simulation) -> Result<String, OpenSeesError> {
         let row = ScriptRow::of(prepared);
         let materials = materials(prepared, &row, self.approximate).map_err(OpenSeesError::NotModelled)?;

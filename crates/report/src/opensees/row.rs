@@ -24,7 +24,7 @@ pub(super) struct ScriptFloor {
 
 /// The row, in the order of its floors.
 pub(super) struct ScriptRow {
-    /// Nothing for a wall.
+    /// `None` for a wall.
     pub(super) floors: Vec<Option<ScriptFloor>>,
     /// When the ground motion arrives at each \[s\].
     pub(super) arrivals: Vec<f64>,

@@ -1,8 +1,5 @@
 //! Pieces of HTML that are well-formed XML too.
 
-/// What stands where there is no number.
-pub(crate) const NONE: &str = "–";
-
 /// A number with four significant digits and the real minus sign.
 pub(crate) fn short(value: f64) -> String {
     signed(&pounding_text::short(value))
@@ -36,63 +33,6 @@ pub(crate) fn escaped(text: &str) -> String {
         }
     }
     safe
-}
-
-/// A cell of a table: text, and perhaps smaller text below it.
-#[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Cell {
-    text: String,
-    below: Option<String>,
-    /// Whether it is a text of several lines, and no number.
-    wrapped: bool,
-}
-
-impl Cell {
-    /// A cell with text as it is.
-    pub(crate) fn new(text: impl Into<String>) -> Self {
-        Self {
-            text: text.into(),
-            below: None,
-            wrapped: false,
-        }
-    }
-
-    /// A cell with a value, or without one.
-    pub(crate) fn known(value: Option<String>) -> Self {
-        Self::new(value.unwrap_or_else(|| NONE.into()))
-    }
-
-    /// The cell with smaller text below, if there is any.
-    #[must_use]
-    pub(crate) fn over(self, below: Option<String>) -> Self {
-        Self { below, ..self }
-    }
-
-    /// The cell as text of several lines.
-    #[must_use]
-    pub(crate) fn wrapped(self) -> Self {
-        Self { wrapped: true, ..self }
-    }
-
-    fn html(&self) -> String {
-        let below = self.below.as_ref();
-        let below = below.map_or_else(String::new, |text| format!("<small>{}</small>", escaped(text)));
-        let class = if self.wrapped { " class=\"text\"" } else { "" };
-        format!("<td{class}>{}{below}</td>", escaped(&self.text))
-    }
-}
-
-/// A table of numbers under names.
-pub(crate) fn table<Name: AsRef<str>>(header: &[Name], rows: &[Vec<Cell>]) -> String {
-    let name = |name: &Name| format!("<th>{}</th>", escaped(name.as_ref()));
-    let names: Vec<String> = header.iter().map(name).collect();
-    let names = names.concat();
-    let row = |cells: &Vec<Cell>| {
-        let cells: String = cells.iter().map(Cell::html).collect();
-        format!("<tr>{cells}</tr>\n")
-    };
-    let rows: String = rows.iter().map(row).collect();
-    format!("<div class=\"wide\"><table>\n<thead><tr>{names}</tr></thead>\n<tbody>\n{rows}</tbody>\n</table></div>\n")
 }
 
 /// A table of two columns: what it is, and what it is here.

@@ -1,19 +1,16 @@
 //! `report.html`: one file that a person forwards; it shows the same without a network, and on paper.
 
-mod effects;
+pub(crate) mod answer;
 pub(crate) mod markup;
-mod scene;
-mod tables;
-mod verdict;
 
 use std::fmt::Write as _;
 
 use markup::{digits, escaped, list, short};
+use pounding_scene::{Source, Structure};
 
 use super::Report;
 use super::figures::Illustration;
 use super::summary::Summary;
-use pounding_scene::{Implausible, Source, Structure};
 
 /// Above what to know before the numbers are used.
 pub(crate) const BEFORE: &str = "Before the numbers are believed";
@@ -31,40 +28,46 @@ pub(crate) fn sentence(words: &str) -> String {
 const STYLE: &str = include_str!("style.css");
 
 /// The page.
-pub(super) fn html(report: &Report<'_>, summary: &Summary, illustrations: &[Illustration], animation: &str) -> String {
-    let review = report.review();
-    let title = escaped(&summary.scene.name);
+pub(super) fn html(report: &Report<'_>, illustrations: &[Illustration], animation: &str) -> String {
+    let summary = report.summary();
+    let mut numbered = Numbered::of(illustrations);
     let figure = |name: &str| {
-        let found = illustrations.iter().position(|one| one.name == name);
-        found.map_or_else(String::new, |at| illustrated(at + 1, &illustrations[at]))
+        if name == "animation" {
+            animation.to_owned()
+        } else {
+            numbered.figure(name)
+        }
     };
-    let sections = [
-        format!("<h1>{title}</h1>\n<p>{}</p>\n", escaped(&lead(summary))),
-        unusual(summary),
-        both_directions(report, summary),
-        verdict::verdict(summary, review),
-        boxed(BEFORE, report.notices().as_slice()),
-        animation.into(),
-        figure("profiles"),
-        "<h2 class=\"appendix\">Appendix: motion</h2>\n".into(),
-        figure("displacements"),
-        format!("<h2>Pairs</h2>\n{}", tables::pairs(summary, report.prepared, review)),
-        figure("gaps"),
-        tables::collisions(summary, review),
-        effects::effects(summary, report.prepared.floors(), &figure("effects")),
-        format!("<h2>Structures</h2>\n{}", tables::structures(report.prepared, review)),
-        figure("hysteresis"),
-        format!("<h2>Scene</h2>\n{}", scene::scene(summary, report.prepared.floors())),
-        format!("<h2>Ground motion</h2>\n{}", tables::record(summary)),
-        figure("ground-motion"),
-        format!("<h2>Method</h2>\n{}", tables::method(summary, review, report.sampling.words)),
-        format!("<h2>Energy</h2>\n{}", tables::ledger(summary)),
-        again(summary),
+    let body = [
+        format!("<h1>{}</h1>\n<p>{}</p>\n", escaped(&summary.scene.name), escaped(&lead(&summary))),
+        answer::html(&report.answer(), figure),
+        again(&summary),
     ];
-    document(&summary.scene.name, "", &sections.concat())
+    document(&summary.scene.name, "", &body.concat())
 }
 
-/// A page of its own, from its title and markup; on paper the title and who signed it stand below every sheet.
+/// Figures, which are numbered as they are read.
+pub(crate) struct Numbered<'a> {
+    all: &'a [Illustration],
+    shown: usize,
+}
+
+impl<'a> Numbered<'a> {
+    pub(crate) fn of(all: &'a [Illustration]) -> Self {
+        Self { all, shown: 0 }
+    }
+
+    /// The figure of a name with its caption; nothing if there is none.
+    pub(crate) fn figure(&mut self, name: &str) -> String {
+        let found = self.all.iter().find(|one| one.name == name);
+        found.map_or_else(String::new, |one| {
+            self.shown += 1;
+            illustrated(self.shown, one)
+        })
+    }
+}
+
+/// A complete page, from its title and markup; on paper the title and who signed it stand below every sheet.
 pub(crate) fn document(title: &str, signed: &str, body: &str) -> String {
     let below = match signed {
         "" => title.into(),
@@ -97,7 +100,7 @@ pub(crate) fn beside(parts: &[String]) -> String {
     format!("<div class=\"beside\">\n{}</div>\n", parts.concat())
 }
 
-/// What to know before the numbers are used, under a heading; nothing where there is nothing.
+/// Warnings under a heading; empty if there are none.
 pub(crate) fn boxed(heading: &str, items: &[String]) -> String {
     if items.is_empty() {
         return String::new();
@@ -146,27 +149,8 @@ fn lead(summary: &Summary) -> String {
     )
 }
 
-/// What both directions of shaking do, the worse one first, above what the direction of the scene does.
-fn both_directions(report: &Report<'_>, summary: &Summary) -> String {
-    let Some(directions) = &report.directions else {
-        return String::new();
-    };
-    let [worse, other] = directions.sentences.each_ref().map(|one| escaped(one));
-    let touch =
-        summary.pairs.iter().any(|pair| pair.collisions() > 0) || directions.other.iter().any(|other| !other.collisions.all().is_empty());
-    let touch = if touch { " touch" } else { "" };
-    format!(
-        "<div class=\"verdict{touch}\">\n<p><strong>{worse}</strong></p>\n<p>{other}</p>\n</div>\n<p>In the direction of the scene:</p>\n"
-    )
-}
-
-/// What looks wrong in the scene.
-fn unusual(summary: &Summary) -> String {
-    boxed(UNUSUAL, &Implausible::lines(summary.unusual.iter().map(|one| ("", one))))
-}
-
 /// A figure with its caption, or why there is none.
-pub(crate) fn illustrated(number: usize, one: &Illustration) -> String {
+fn illustrated(number: usize, one: &Illustration) -> String {
     match &one.drawn {
         Ok((svg, _)) => format!(
             "<figure>\n{}\n<figcaption><strong>Figure {number}.</strong> {}</figcaption>\n</figure>\n",

@@ -11,8 +11,8 @@ use serde::{Deserialize, Serialize};
 use pounding_assess::Effects;
 use pounding_scene::{Implausible, Scene};
 
-/// Version of the form of results: `summary.json`, `runs.json`, `assess.json`, the tables beside them, and what stands beside a
-/// converted record. A field or column that is added keeps it; one that goes, or changes its meaning, raises it.
+/// Version of the form of results: `summary.json`, `runs.json`, `assess.json`, the tables beside them, and the file
+/// beside a converted record. A new field or column keeps it; one that goes, or changes its meaning, raises it.
 pub const SCHEMA_VERSION: u32 = 1;
 
 /// What was run, what came out and how far to believe it; units stand in the names of its fields.
@@ -35,7 +35,7 @@ pub struct Summary {
     pub structures: Vec<StructureSummary>,
     /// The pairs of neighbours that can touch, from left to right.
     pub pairs: Vec<PairSummary>,
-    /// What pounding does to every storey, where that was asked for: in the order of the structures.
+    /// The effects of pounding on every storey, in the order of the structures, if they were asked for.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub effects: Option<Effects>,
     /// Where the energy went.
@@ -98,7 +98,7 @@ pub struct RecordSummary {
     pub peak_m_per_s2: f64,
     /// Its instant \[s\].
     pub peak_time_s: f64,
-    /// What the file says of itself.
+    /// The description that the file holds.
     pub provenance: String,
     /// What was read of the file, and where it stood.
     pub readings: Vec<ReadingSummary>,
@@ -257,7 +257,7 @@ impl LedgerSummary {
     }
 }
 
-/// What a run cost, in counts that are the same on every machine.
+/// The cost of a run, in counts that are equal on every machine.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub struct WorkSummary {
     /// Time steps of the row.

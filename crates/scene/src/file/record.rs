@@ -36,6 +36,16 @@ pub struct RecordUse {
 }
 
 impl RecordUse {
+    /// The direction of the shaking in words.
+    pub fn direction(&self) -> &'static str {
+        Self::direction_of(self.reversed)
+    }
+
+    /// A direction of shaking in words.
+    pub fn direction_of(reversed: bool) -> &'static str {
+        if reversed { "reversed" } else { "as given" }
+    }
+
     /// Lists the processing of the ground motion between its source and the row, in its order; steps that change nothing are left out.
     pub fn processing(&self) -> Vec<String> {
         let detrend = self.detrend.map(|line| match line {

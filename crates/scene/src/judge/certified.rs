@@ -1,7 +1,6 @@
 //! The lines of a certificate, for people and for programs.
 
 use pounding_contact::{Clamp, LawName};
-use serde_json::{Map, Value, json};
 
 use crate::accuracy::methods::StepMethod;
 use crate::judge::certificate::{Certificate, CertificateRequest};
@@ -101,32 +100,6 @@ impl Certificate {
         facts.push(named("would_pull", "would pull", clamp));
         facts.push(named("parameters", "parameters", &parameters));
         facts
-    }
-
-    /// Certificate as JSON.
-    pub fn json(facts: &[CertificateFact], methods: &[DeliveredBy]) -> Value {
-        let fact = |fact: &CertificateFact| {
-            let value = match &fact.said {
-                CertificateValue::Number(number) => json!(number),
-                CertificateValue::Words(words) => json!(words),
-            };
-            (fact.key.to_string(), value)
-        };
-        let mut object: Map<_, _> = facts.iter().map(fact).collect();
-        let method = |line: &DeliveredBy| {
-            let mut one = Map::new();
-            one.insert("method".into(), json!(line.method.name()));
-            one.insert("time_step_s".into(), json!(line.step));
-            for (key, value) in line.numbers().into_iter().flatten() {
-                one.insert(key.into(), json!(value));
-            }
-            if let Err(reason) = &line.delivered {
-                one.insert("failed".into(), json!(reason));
-            }
-            Value::Object(one)
-        };
-        object.insert("methods".into(), methods.iter().map(method).collect());
-        Value::Object(object)
     }
 
     /// Results of methods at a time step \[s\]: of one method, or of all that differ under this law.

@@ -1,6 +1,8 @@
 //! The table of the numbers of a floor.
 
-use super::{QuantityEntry, QuantityKind, QuantityUnit, quantities};
+use pounding_text::Unit;
+
+use super::{QuantityEntry, QuantityKind, quantities};
 use crate::QuantityGroup;
 
 quantities! {
@@ -8,26 +10,26 @@ quantities! {
     FloorQuantity, Floor:
     #[serde(skip_deserializing)]
     PeriodS("period_s", "Natural period, of a building the first.") =
-        QuantityEntry::new(&QuantityUnit::PERIOD, "Period", |run, floor| Some(run.oscillation(floor)?.0)).kind(QuantityKind::Model);
+        QuantityEntry::new(&Unit::PERIOD, "Period", |run, floor| Some(run.oscillation(floor)?.0)).kind(QuantityKind::Model);
     #[serde(skip_deserializing)]
     DampingRatio("damping_ratio", "Damping ratio, of a building in the first mode.") =
-        QuantityEntry::new(&QuantityUnit::ONE, "Damping ratio", |run, floor| Some(run.oscillation(floor)?.1)).kind(QuantityKind::Model);
+        QuantityEntry::new(&Unit::ONE, "Damping ratio", |run, floor| Some(run.oscillation(floor)?.1)).kind(QuantityKind::Model);
     PeakDisplacementM("peak_displacement_m", "Displacement of largest magnitude, relative to the ground, positive to the right.") =
-        QuantityEntry::new(&QuantityUnit::METRE, "Peak displacement", |run, floor| Some(run.peaks(floor)?.displacement.value))
+        QuantityEntry::new(&Unit::METRE, "Peak displacement", |run, floor| Some(run.peaks(floor)?.displacement.value))
             .kind(QuantityKind::Peak).measured(QuantityGroup::Displacement, "displacement");
     PeakDisplacementTimeS("peak_displacement_time_s", "Instant of the peak displacement.") = QuantityEntry {
         absolute: Some("peak_displacement_time_s"),
         ..QuantityEntry::instant(|run, floor| Some(run.peaks(floor)?.displacement.time))
     };
     PeakShearForceN("peak_shear_force_n", "Shear force of largest magnitude.") =
-        QuantityEntry::new(&QuantityUnit::NEWTON, "Peak shear", |run, floor| Some(run.peaks(floor)?.restoring_force.value))
+        QuantityEntry::new(&Unit::NEWTON, "Peak shear", |run, floor| Some(run.peaks(floor)?.restoring_force.value))
             .kind(QuantityKind::Peak).measured(QuantityGroup::Force, "shear force");
     #[serde(skip_deserializing)]
     PeakShearForceTimeS("peak_shear_force_time_s", "Instant of the peak shear force.") =
         QuantityEntry::instant(|run, floor| Some(run.peaks(floor)?.restoring_force.time));
     PeakDriftM("peak_drift_m", "Storey drift of largest magnitude; none of a storey on the ground, whose drift is the displacement.") = QuantityEntry {
         on_ground: Some(FloorQuantity::PeakDisplacementM),
-        ..QuantityEntry::new(&QuantityUnit::METRE, "Peak drift", |run, floor| Some(run.peaks(floor)?.storey_drift?.value))
+        ..QuantityEntry::new(&Unit::METRE, "Peak drift", |run, floor| Some(run.peaks(floor)?.storey_drift?.value))
             .kind(QuantityKind::Peak).measured(QuantityGroup::Displacement, "storey drift")
     };
     #[serde(skip_deserializing)]
@@ -36,30 +38,30 @@ quantities! {
         ..QuantityEntry::instant(|run, floor| Some(run.peaks(floor)?.storey_drift?.time))
     };
     ResidualDisplacementAtEndM("residual_displacement_at_end_m", "Displacement at the end of the run; free vibration that has not died away is in it.") =
-        QuantityEntry::new(&QuantityUnit::METRE, "Residual at end", |run, floor| run.moves(floor).then(|| run.last(floor)))
+        QuantityEntry::new(&Unit::METRE, "Residual at end", |run, floor| run.moves(floor).then(|| run.last(floor)))
             .kind(QuantityKind::Residual(FloorQuantity::PeakDisplacementM)).measured(QuantityGroup::Displacement, "end displacement");
     ResidualDriftAtEndM("residual_drift_at_end_m", "Storey drift at the end of the run; none of a storey on the ground.") = QuantityEntry {
         on_ground: Some(FloorQuantity::ResidualDisplacementAtEndM),
-        ..QuantityEntry::new(&QuantityUnit::METRE, "Residual at end", |run, floor| Some(run.last(floor) - run.last(run.below(floor)?)))
+        ..QuantityEntry::new(&Unit::METRE, "Residual at end", |run, floor| Some(run.last(floor) - run.last(run.below(floor)?)))
             .kind(QuantityKind::Residual(FloorQuantity::PeakDriftM)).measured(QuantityGroup::Displacement, "end drift")
     };
     PeakAccelerationMPerS2("peak_acceleration_m_per_s2", "Absolute acceleration of largest magnitude, without impulsive impacts.") =
-        QuantityEntry::new(&QuantityUnit::ACCELERATION, "Peak acceleration", |run, floor| Some(run.acceleration(floor)?.value))
+        QuantityEntry::new(&Unit::ACCELERATION, "Peak acceleration", |run, floor| Some(run.acceleration(floor)?.value))
             .kind(QuantityKind::Peak).measured(QuantityGroup::Acceleration, "acceleration");
     #[serde(skip_deserializing)]
     PeakAccelerationTimeS("peak_acceleration_time_s", "Instant of the peak acceleration.") =
         QuantityEntry::instant(|run, floor| Some(run.acceleration(floor)?.time));
     Ductility("ductility", "Peak drift over yield drift; only of columns that can yield.") = QuantityEntry {
         error_of: Some(FloorQuantity::PeakDriftM),
-        ..QuantityEntry::new(&QuantityUnit::ONE, "Ductility", |run, floor| run.floor(floor).ductility(run.peaks(floor)?.drift().value))
+        ..QuantityEntry::new(&Unit::ONE, "Ductility", |run, floor| run.floor(floor).ductility(run.peaks(floor)?.drift().value))
     };
     DriftRatio("drift_ratio", "Peak drift over storey height; only if the height is given.") = QuantityEntry {
         error_of: Some(FloorQuantity::PeakDriftM),
-        ..QuantityEntry::new(&QuantityUnit::PART, "Drift ratio", |run, floor| run.floor(floor).drift_ratio(run.peaks(floor)?.drift().value))
+        ..QuantityEntry::new(&Unit::PART, "Drift ratio", |run, floor| run.floor(floor).drift_ratio(run.peaks(floor)?.drift().value))
     };
     TransferredMomentumNS("transferred_momentum_n_s", "Sum of the impulses from the neighbours, by magnitude.") = QuantityEntry {
         least: |run, _| run.least_momentum(),
-        ..QuantityEntry::new(&QuantityUnit::NEWTON_SECOND, "Transferred momentum", |run, floor| Some(run.result.momentum.of(floor)))
+        ..QuantityEntry::new(&Unit::NEWTON_SECOND, "Transferred momentum", |run, floor| Some(run.result.momentum.of(floor)))
             .kind(QuantityKind::Total).measured(QuantityGroup::Momentum, "momentum")
     };
 }

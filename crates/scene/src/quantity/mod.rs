@@ -3,13 +3,13 @@
 
 mod floor;
 mod pair;
-mod unit;
 mod values;
 
 pub use floor::FloorQuantity;
 pub use pair::PairQuantity;
-pub use unit::QuantityUnit;
 pub use values::RunValues;
+
+use pounding_text::Unit;
 
 use crate::QuantityGroup;
 
@@ -30,7 +30,7 @@ pub struct QuantityEntry {
     /// Meaning, in a sentence.
     pub meaning: &'static str,
     /// Unit.
-    pub unit: &'static QuantityUnit,
+    pub unit: &'static Unit,
     /// Name above a column.
     pub heading: &'static str,
     /// Name in sentences about its error.
@@ -114,7 +114,7 @@ use quantities;
 
 impl QuantityEntry {
     /// An entry with this unit, name above a column and value. The table adds its name and its meaning.
-    const fn new(unit: &'static QuantityUnit, heading: &'static str, of: Take<Option<f64>>) -> Self {
+    const fn new(unit: &'static Unit, heading: &'static str, of: Take<Option<f64>>) -> Self {
         Self {
             name: "",
             meaning: "",
@@ -129,13 +129,13 @@ impl QuantityEntry {
             error_of: None,
             on_ground: None,
             collision: None,
-            text: unit.text,
+            text: unit.reader(),
         }
     }
 
     /// An instant, in a column beside its number.
     const fn instant(of: Take<Option<f64>>) -> Self {
-        Self::new(&QuantityUnit::SECOND, "at", of).kind(QuantityKind::Instant)
+        Self::new(&Unit::SECOND, "at", of).kind(QuantityKind::Instant)
     }
 
     const fn kind(self, kind: QuantityKind) -> Self {

@@ -3,7 +3,9 @@
 use pounding_text::{digits, rounded_down, short};
 
 use super::values::RunValues;
-use super::{FloorQuantity, QuantityEntry, QuantityKind, QuantityUnit, quantities};
+use pounding_text::Unit;
+
+use super::{FloorQuantity, QuantityEntry, QuantityKind, quantities};
 use crate::QuantityGroup;
 use crate::simulation::LEANS;
 
@@ -13,22 +15,22 @@ quantities! {
     #[serde(skip_deserializing)]
     GapM("gap_m", "Gap at rest.") = QuantityEntry {
         text: digits,
-        ..QuantityEntry::new(&QuantityUnit::METRE, "Gap", |run, pair| Some(run.simulation.pairs()[pair].gap())).kind(QuantityKind::Model)
+        ..QuantityEntry::new(&Unit::METRE, "Gap", |run, pair| Some(run.simulation.pairs()[pair].gap())).kind(QuantityKind::Model)
     };
     Collisions("collisions", "Number of collisions, each from touch to parting.") =
-        QuantityEntry::new(&QuantityUnit::COUNT, "Collisions", |run, pair| Some(run.pair(pair).collisions as f64))
+        QuantityEntry::new(&Unit::COUNT, "Collisions", |run, pair| Some(run.pair(pair).collisions as f64))
             .kind(QuantityKind::Count).measured(QuantityGroup::All, "collisions");
     FirstStartS("first_start_s", "Start of the first collision.") = QuantityEntry {
         least: |run, pair| if run.pair(pair).first.is_some_and(|first| first.start < RunValues::AT_ONCE) { 1.0 } else { 0.0 },
         absolute: Some("first_time_s"),
         collision: Some("first"),
         text: digits,
-        ..QuantityEntry::new(&QuantityUnit::SECOND, "First", |run, pair| Some(run.pair(pair).first?.start))
+        ..QuantityEntry::new(&Unit::SECOND, "First", |run, pair| Some(run.pair(pair).first?.start))
             .kind(QuantityKind::First).measured(QuantityGroup::Time, "first touch")
     };
     FirstImpulseNS("first_impulse_n_s", "Impulse of the first collision.") = QuantityEntry {
         collision: Some("first"),
-        ..QuantityEntry::new(&QuantityUnit::NEWTON_SECOND, "First impulse", |run, pair| Some(run.pair(pair).first?.impulse))
+        ..QuantityEntry::new(&Unit::NEWTON_SECOND, "First impulse", |run, pair| Some(run.pair(pair).first?.impulse))
             .measured(QuantityGroup::Impulse, "first impulse")
     };
     #[serde(skip_deserializing)]
@@ -38,21 +40,21 @@ quantities! {
     };
     LargestImpulseNS("largest_impulse_n_s", "Largest impulse of a collision.") = QuantityEntry {
         collision: Some("largest"),
-        ..QuantityEntry::new(&QuantityUnit::NEWTON_SECOND, "Largest impulse", |run, pair| Some(run.pair(pair).largest?.impulse))
+        ..QuantityEntry::new(&Unit::NEWTON_SECOND, "Largest impulse", |run, pair| Some(run.pair(pair).largest?.impulse))
             .measured(QuantityGroup::Impulse, "largest impulse")
     };
     PeakForceN("peak_force_n", "Largest pounding force; none if one of the collisions is an impact.") =
-        QuantityEntry::new(&QuantityUnit::NEWTON, "Peak force", |run, pair| Some(run.pair(pair).peak_force?.value))
+        QuantityEntry::new(&Unit::NEWTON, "Peak force", |run, pair| Some(run.pair(pair).peak_force?.value))
             .measured(QuantityGroup::Force, "pounding force");
     #[serde(skip_deserializing)]
     PeakForceTimeS("peak_force_time_s", "First instant of the peak force.") =
         QuantityEntry::instant(|run, pair| Some(run.pair(pair).peak_force?.time));
     TotalImpulseNS("total_impulse_n_s", "Sum of all impulses.") =
-        QuantityEntry::new(&QuantityUnit::NEWTON_SECOND, "Total impulse", |run, pair| Some(run.pair(pair).total_impulse))
+        QuantityEntry::new(&Unit::NEWTON_SECOND, "Total impulse", |run, pair| Some(run.pair(pair).total_impulse))
             .kind(QuantityKind::Total).measured(QuantityGroup::Impulse, "total impulse");
     TouchingS("touching_s", "Time for which they touch, all collisions together; a pair that overlaps without a force no longer counts.") = QuantityEntry {
         least: |_, _| LEANS,
-        ..QuantityEntry::new(&QuantityUnit::SECOND, "Touching", |run, pair| Some(run.pair(pair).touching))
+        ..QuantityEntry::new(&Unit::SECOND, "Touching", |run, pair| Some(run.pair(pair).touching))
             .kind(QuantityKind::Total).measured(QuantityGroup::Time, "time of touching")
     };
     LeastOpeningM("least_opening_m", "Least opening of the gap, 0 or less if they touch; coarse steps can pass below 0 between two nodes without a touch.") = QuantityEntry {
@@ -62,7 +64,7 @@ quantities! {
             left.max(right)
         },
         text: opening,
-        ..QuantityEntry::new(&QuantityUnit::METRE, "Least opening", |run, pair| Some(run.opening(pair)?.0))
+        ..QuantityEntry::new(&Unit::METRE, "Least opening", |run, pair| Some(run.opening(pair)?.0))
             .kind(QuantityKind::Least).measured(QuantityGroup::Displacement, "least opening")
     };
     #[serde(skip_deserializing)]

@@ -1,8 +1,6 @@
 //! The cheapest method and time step for an accuracy, and the runs that were tried.
 
-use serde_json::{Value, json};
-
-use crate::{Method, Scene};
+use crate::Method;
 
 /// The wanted accuracy.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -50,33 +48,7 @@ pub struct Advice {
 }
 
 impl Advice {
-    /// Every run of every method as JSON, the shortest step last. Errors are null if a run failed or the numbers of collisions differ.
-    pub fn to_json(&self, scene: &Scene) -> Value {
-        let trial = |trial: &MethodTrial| {
-            json!({
-                "name": trial.name,
-                "method": trial.method,
-                "error": trial.error.is_finite().then_some(trial.error),
-                "worst": trial.worst,
-                "cost": trial.cost,
-            })
-        };
-        let rungs = |rungs: &StepSizes| {
-            json!({
-                "chosen": rungs.chosen().map(trial),
-                "trials": rungs.trials.iter().map(trial).collect::<Vec<_>>(),
-            })
-        };
-        json!({
-            "scene": scene,
-            "goal": {"error": self.goal.error, "quantity": self.goal.quantity.name()},
-            "use": trial(self.best()),
-            "exact": trial(&self.exact),
-            "methods": self.methods.iter().map(rungs).collect::<Vec<_>>(),
-        })
-    }
-
-    /// Cheapest run that meets the goal; the exact method if no cheaper one does.
+    /// The cheapest run that meets the goal; the exact method when no cheaper one does.
     pub fn best(&self) -> &MethodTrial {
         let meeting = self.methods.iter().filter_map(StepSizes::chosen);
         meeting.fold(&self.exact, |best, next| if next.cost < best.cost { next } else { best })

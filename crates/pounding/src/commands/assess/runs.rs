@@ -1,6 +1,5 @@
 //! The runs of an assessment: every motion in both directions, beside every neighbour, and once more with bumpers.
 
-use pounding::text::Refused;
 use std::collections::BTreeMap;
 use std::sync::OnceLock;
 
@@ -8,10 +7,11 @@ use pounding::assess::{Alone, AssessedRun, Bumper, BumperRun, MotionSpectrum, Sc
 use pounding::report::{Animation, AssessedMotion};
 use pounding::scene::file::DrawnNeighbour;
 use pounding::scene::{Error, RecordUse, Scene, Simulation};
+use pounding::text::Refused;
 
 use super::super::suite;
 
-/// What is asked of every motion.
+/// The rows and settings of an assessment, the same for every motion.
 pub(super) struct Asked<'a> {
     /// The scene of the file.
     pub(super) scene: Scene,
@@ -25,25 +25,25 @@ pub(super) struct Asked<'a> {
     pub(super) records: &'a Suite,
 }
 
-/// What a motion in one direction does, row by row.
-pub(super) struct Found {
+/// The runs under a motion in one direction, row by row.
+pub(super) struct RunsUnderMotion {
     runs: Vec<AssessedRun>,
     spectrum: Option<MotionSpectrum>,
-    /// How its record was used.
+    /// The record as it was used.
     record: RecordUse,
 }
 
-/// What both directions of a motion share.
+/// The data that both directions of a motion share.
 struct Shared {
     spectrum: Option<MotionSpectrum>,
     record: RecordUse,
-    /// The buildings alone, row by row; nothing if that run failed, which the direction then finds itself.
+    /// The buildings alone, row by row; `None` if that run failed: each direction then reports its failure.
     alone: Vec<OnceLock<Option<Alone>>>,
 }
 
 impl Asked<'_> {
     /// Assesses every row under every motion.
-    pub(super) fn run(&self) -> Result<suite::Ran<Found>, Refused> {
+    pub(super) fn run(&self) -> Result<suite::Ran<RunsUnderMotion>, Refused> {
         let [from, to] = self.stiffness;
         let shared = |motion: &SuiteMotion| {
             let (scene, spectrum) = self.scaling.applied(&self.known, motion)?;
@@ -62,7 +62,7 @@ impl Asked<'_> {
                 AssessedRun::of(&row, alone.as_ref(), [from, 1.0, to])
             };
             let runs: Result<_, Error> = shared.alone.iter().enumerate().map(assessed).collect();
-            Ok(Found {
+            Ok(RunsUnderMotion {
                 runs: runs?,
                 spectrum: shared.spectrum.clone(),
                 record: shared.record.clone(),
@@ -78,7 +78,7 @@ impl Asked<'_> {
     }
 
     /// Bumpers for the gaps that close: as stiff as given, or as the hardest of all rows asks for.
-    pub(super) fn bumpers(&self, lines: &[suite::MotionLine<Found>], stiffness: Option<f64>) -> Result<Vec<Bumper>, Error> {
+    pub(super) fn bumpers(&self, lines: &[suite::MotionLine<RunsUnderMotion>], stiffness: Option<f64>) -> Result<Vec<Bumper>, Error> {
         let mut stiffest: BTreeMap<usize, Bumper> = BTreeMap::new();
         for (index, (row, _)) in self.rows.iter().enumerate() {
             let found = lines.iter().filter_map(|line| line.found.as_ref().ok());
@@ -91,21 +91,21 @@ impl Asked<'_> {
         Ok(stiffest.into_values().collect())
     }
 
-    /// What bumpers change in the runs in which something touches, by motion, direction and row; runs that fail are left out.
-    pub(super) fn with_bumpers(&self, lines: &[suite::MotionLine<Found>], bumpers: &[Bumper]) -> Result<BumperRuns, Refused> {
+    /// Runs with bumpers, for the runs in which something touches, by motion, direction and row; runs that fail are left out.
+    pub(super) fn with_bumpers(&self, lines: &[suite::MotionLine<RunsUnderMotion>], bumpers: &[Bumper]) -> Result<BumperRuns, Refused> {
         if bumpers.is_empty() {
             return Ok(BumperRuns::new());
         }
         let touching = |motion: &SuiteMotion| {
             let own = lines.iter().filter(|line| line.motion == motion.name);
             let found = own.filter_map(|line| Some((line.reversed, line.found.as_ref().ok()?)));
-            let found: Vec<(bool, &Found)> = found.collect();
+            let found: Vec<(bool, &RunsUnderMotion)> = found.collect();
             let record = found.first().map(|(_, found)| found.record.clone());
             let scene = Scene {
                 record: record.unwrap_or_else(|| self.known.record.clone()),
                 ..self.known.clone()
             };
-            let touch = |(reversed, found): &(bool, &Found)| {
+            let touch = |(reversed, found): &(bool, &RunsUnderMotion)| {
                 let runs = found.runs.iter();
                 (*reversed, runs.map(|run| run.collisions() > 0).collect())
             };
@@ -135,7 +135,7 @@ impl Asked<'_> {
     }
 
     /// The hardest collision of all runs in motion; `None` if nothing touches, or if it cannot be shown.
-    pub(super) fn animation(&self, lines: &[suite::MotionLine<Found>]) -> Option<Animation> {
+    pub(super) fn animation(&self, lines: &[suite::MotionLine<RunsUnderMotion>]) -> Option<Animation> {
         let hardest = lines.iter().flat_map(|line| {
             let found = line.found.as_ref().ok();
             let runs = found.into_iter().flat_map(|found| found.runs.iter().enumerate());
@@ -160,8 +160,8 @@ impl Asked<'_> {
     }
 
     /// Every run of every line that was finished.
-    pub(super) fn motions(&self, lines: &[suite::MotionLine<Found>], bumpers: &BumperRuns) -> Vec<AssessedMotion> {
-        let of_line = |line: &suite::MotionLine<Found>| {
+    pub(super) fn motions(&self, lines: &[suite::MotionLine<RunsUnderMotion>], bumpers: &BumperRuns) -> Vec<AssessedMotion> {
+        let of_line = |line: &suite::MotionLine<RunsUnderMotion>| {
             let found = line.found.as_ref().ok();
             let runs = found.into_iter().flat_map(|found| {
                 let spectrum = &found.spectrum;

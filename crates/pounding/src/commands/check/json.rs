@@ -8,7 +8,7 @@ use serde_json::{Value, json};
 use super::Plan;
 use pounding::text::json_text;
 
-/// What is not known, or does not apply, is null; what follows from an exact run that fails is null as a whole.
+/// The plan as JSON. Facts that are not known or do not apply are null; all that follow from the exact run are null if it fails.
 pub(super) fn of(plan: &Plan<'_>) -> String {
     let prepared = plan.prepared;
     let scene = prepared.scene();
@@ -39,8 +39,8 @@ pub(super) fn of(plan: &Plan<'_>) -> String {
     }))
 }
 
-/// Of every structure and its right neighbour, how far their bases move towards each other, or apart (negative), at most;
-/// null where all are shaken at once.
+/// The largest distance that the bases of neighbours move towards each other, or apart (negative), for every structure and its right
+/// neighbour; null if all are shaken at once.
 fn openings(plan: &Plan<'_>) -> Option<Vec<Value>> {
     let openings = plan.prepared.openings();
     let opening = |one: &Opening| json!({"largest_opening_m": one.distance, "time_s": one.time});
@@ -51,7 +51,7 @@ fn structure(structure: &Structure, limit: Option<f64>) -> Value {
     let Some(period) = structure.period() else {
         return json!({"name": structure.name()});
     };
-    // Of every storey, from the ground up; the first stands alone, too.
+    // One for each storey, from the ground up; the first also has its own field.
     let yield_forces = structure.yield_forces();
     json!({
         "name": structure.name(),
@@ -63,7 +63,7 @@ fn structure(structure: &Structure, limit: Option<f64>) -> Value {
     })
 }
 
-/// Every pair; what is expected of it is null where it does not touch in the direction of the scene.
+/// Every pair; the expected collision is null if the pair does not touch in the direction of the scene.
 fn pairs(plan: &Plan<'_>) -> Vec<Value> {
     let scene = plan.prepared.scene();
     let limits = plan.expected.as_ref().map(|expected| &expected.limits.contacts);
@@ -86,7 +86,7 @@ fn pairs(plan: &Plan<'_>) -> Vec<Value> {
     floors.facing().iter().enumerate().map(pair).collect()
 }
 
-/// What a free collision at the largest speed is, and what the method makes of it.
+/// A free collision at the largest speed, exact and by the method.
 fn touches(limit: &ContactLimit) -> Value {
     let free = limit.free;
     let delivered = free.and_then(|free| free.delivered);

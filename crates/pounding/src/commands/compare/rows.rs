@@ -1,33 +1,33 @@
-//! Rows of the table of `compare`: what differs, and by how much.
+//! Rows of the table of `compare`, with differences.
 
-use crate::text::{NONE, short};
+use pounding::text::{NONE, Shown, short};
 
 /// A line of the table: a name, and a cell for every scene.
-pub(super) struct Row {
+pub(super) struct ComparedRow {
     pub(super) name: String,
-    pub(super) cells: Vec<Cell>,
+    pub(super) cells: Vec<ComparedValue>,
 }
 
-/// What stands in a cell.
-pub(super) enum Cell {
+/// The value of a scene in a row.
+pub(super) enum ComparedValue {
     Text(String),
-    /// A number in the unit of the table; nothing where a scene has none.
+    /// A number in the unit of the table; `None` if the scene has none.
     Number(Option<f64>),
 }
 
-impl From<String> for Cell {
+impl From<String> for ComparedValue {
     fn from(text: String) -> Self {
         Self::Text(text)
     }
 }
 
-impl From<Option<f64>> for Cell {
+impl From<Option<f64>> for ComparedValue {
     fn from(number: Option<f64>) -> Self {
         Self::Number(number)
     }
 }
 
-impl Cell {
+impl ComparedValue {
     fn text(&self) -> String {
         match self {
             Self::Text(text) => text.clone(),
@@ -45,21 +45,21 @@ impl Cell {
     }
 }
 
-impl Row {
-    /// Whether it heads those below it.
+impl ComparedRow {
+    /// Whether the row is a heading of those below it.
     fn is_heading(&self) -> bool {
         !self.name.starts_with(' ')
     }
 
     fn is_alike(&self) -> bool {
-        let texts: Vec<String> = self.cells.iter().map(Cell::text).collect();
+        let texts: Vec<String> = self.cells.iter().map(ComparedValue::text).collect();
         texts.windows(2).all(|two| two[0] == two[1])
     }
 
-    /// The name and the cells, numbers behind the first with their change.
-    pub(super) fn cells(&self) -> Vec<String> {
+    /// The name and the cells; numbers after the first stand with their change.
+    pub(super) fn cells(&self) -> Vec<Shown> {
         let first = &self.cells[0];
-        let cell = |(index, cell): (usize, &Cell)| {
+        let cell = |(index, cell): (usize, &ComparedValue)| {
             let text = cell.text();
             match cell.change(first).filter(|_| index > 0) {
                 Some(change) if text != first.text() => {
@@ -71,18 +71,18 @@ impl Row {
             }
         };
         let cells = self.cells.iter().enumerate().map(cell);
-        std::iter::once(self.name.clone()).chain(cells).collect()
+        std::iter::once(self.name.clone()).chain(cells).map(Shown::from).collect()
     }
 }
 
 /// The rows in which scenes differ, each with its heading, and how many others there are.
-pub(super) fn changed(rows: Vec<Row>) -> (Vec<Row>, usize) {
-    let (mut kept, mut alike): (Vec<Row>, usize) = (Vec::new(), 0);
-    let mut heading: Option<Row> = None;
-    for (index, row) in rows.into_iter().enumerate() {
-        if row.is_heading() && index > 0 {
+pub(super) fn changed(rows: Vec<ComparedRow>) -> (Vec<ComparedRow>, usize) {
+    let (mut kept, mut alike): (Vec<ComparedRow>, usize) = (Vec::new(), 0);
+    let mut heading: Option<ComparedRow> = None;
+    for row in rows {
+        if row.is_heading() {
             heading = Some(row);
-        } else if index > 0 && row.is_alike() {
+        } else if row.is_alike() {
             alike += 1;
         } else {
             kept.extend(heading.take());

@@ -3,7 +3,7 @@
 use pounding::text::Refused;
 use pounding::text::digits;
 
-/// More storeys than any building has, and more buildings than a street.
+/// More storeys than any building has, and more buildings than any street.
 const MOST: usize = 200;
 
 /// A number of storeys.
@@ -14,7 +14,7 @@ pub(super) fn storeys(text: &str) -> Result<usize, String> {
     }
 }
 
-/// Refuses more buildings than anybody fills in.
+/// Refuses more buildings than a user would fill in.
 pub(super) fn check(buildings: usize) -> Result<(), Refused> {
     if buildings <= MOST {
         return Ok(());

@@ -1,24 +1,22 @@
-//! A record of one's own: how a scene names it, and what of it the scene has to say.
+//! A record of the user: how a scene names it, and what the scene has to declare.
 
-use pounding::text::{Knob, Naming, RefusalKind, Refused};
 use std::fs;
 use std::path::{Component, Path, PathBuf};
 
 use pounding::motion::{AccelerationUnit, Accelerogram, Declared, components, read_declared};
 use pounding::scene::STANDARD_GRAVITY;
 use pounding::scene::file::record_bytes;
-use pounding::text::{digits, steers, visible};
+use pounding::text::{Knob, Naming, RefusalKind, Refused, digits, short, steers, visible};
 use serde_json::json;
 
 use crate::commands::folder;
-use crate::text::short;
 
 /// A record as the lines of a scene.
 pub(super) struct Named {
     /// From the folder of the scene, or absolute.
     path: String,
     is_absolute: bool,
-    /// What it holds, in words; nothing while something is missing.
+    /// The content of the record in words; `None` while a declaration is missing.
     holds: Option<String>,
     missing: Vec<Missing>,
 }
@@ -27,15 +25,15 @@ pub(super) struct Named {
 #[derive(Debug, Clone, PartialEq, Eq)]
 struct Missing {
     field: &'static str,
-    /// Why.
+    /// Why it is missing.
     why: &'static str,
-    /// What may stand there, to begin with.
+    /// A value to begin with.
     example: &'static str,
-    /// What is allowed.
+    /// The values that are allowed.
     allowed: String,
 }
 
-/// Folders up to the one that scene and record share, above which a path from the scene is no help.
+/// Most folders between a scene and the folder that it shares with its record; a longer path from the scene is no help.
 const MOST_UP: usize = 3;
 
 impl Named {
@@ -92,7 +90,7 @@ impl Named {
         std::iter::once(file).chain(missing).collect::<Vec<_>>().join("\n")
     }
 
-    /// What is said of it after the scene is written.
+    /// A sentence about the record, after the scene is written.
     pub(super) fn said(&self, scene: &str, is_json: bool) -> String {
         let missing = self.missing.iter();
         let missing: Vec<String> = missing.map(|one| format!("`{}` ({})", one.field, one.why)).collect();
@@ -120,12 +118,12 @@ fn in_option(mut refused: Refused, record: &Path) -> Refused {
     refused
 }
 
-/// What a record holds, in words, or what is missing before that can be known.
+/// The content of a record in words, or the declarations that are missing.
 fn read(bytes: &[u8]) -> Result<(Option<String>, Vec<Missing>), Refused> {
     let mut declared = Declared::default();
     let mut missing: Vec<Missing> = Vec::new();
     loop {
-        // What is declared below only finds out what else is missing.
+        // The values declared below only serve to find what else is missing.
         let refused = match read_declared(bytes, &declared) {
             Ok(file) if missing.is_empty() => {
                 return Ok((Some(held(file)?), missing));
@@ -166,7 +164,7 @@ fn read(bytes: &[u8]) -> Result<(Option<String>, Vec<Missing>), Refused> {
         } else {
             "the file does not say it"
         };
-        // Said to be missing though it was declared: no end to it.
+        // A field that is missing although it was declared would never end the loop.
         if missing.iter().any(|one| one.field == field) {
             return Ok((None, missing));
         }
@@ -179,7 +177,7 @@ fn read(bytes: &[u8]) -> Result<(Option<String>, Vec<Missing>), Refused> {
     }
 }
 
-/// What a record holds, in words.
+/// The content of a record in words.
 fn held(file: Accelerogram) -> Result<String, Refused> {
     let format = file.format().name();
     let record = file.into_record(STANDARD_GRAVITY);
@@ -194,7 +192,7 @@ fn held(file: Accelerogram) -> Result<String, Refused> {
     ))
 }
 
-/// A record as seen from the folder of a scene: in it, below it, or not far beside it; nothing where that is no help.
+/// The path of a record from the folder of a scene: in it, below it, or not far beside it; `None` if that is no help.
 fn from_scene(record: &Path, scene: &Path) -> Option<PathBuf> {
     let canonical = |path: &Path| {
         let folder = folder(path);

@@ -3,7 +3,6 @@
 mod processing;
 mod provenance;
 
-use pounding::text::Refused;
 use std::fmt::Write as _;
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -11,7 +10,7 @@ use std::sync::Arc;
 use clap::ValueEnum;
 use pounding::motion::{Record, read};
 use pounding::scene::{GroundMotion, Origin, RecordUse, Scene};
-use pounding::text::digits;
+use pounding::text::{Answer, Form, Refused, Where, digits};
 
 use super::source::{Declared, processed};
 use crate::new_file;
@@ -33,7 +32,7 @@ digit: read again, in m/s² always and in g where such numbers exist, they give
 the same samples to the last bit. Where they come from and what was done to them
 stands beside it, in OUT.provenance.json.";
 
-/// What is asked of `motion convert`.
+/// The arguments of `motion convert`.
 #[derive(Debug, clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub(super) struct Arguments {
@@ -46,7 +45,7 @@ pub(super) struct Arguments {
     /// Unit of the CSV.
     #[arg(long, help = "Unit of the CSV: m_per_s2 or g", value_enum, value_name = "UNIT", default_value_t = To::MPerS2, hide_possible_values = true)]
     to: To,
-    /// Write over files that are there already, but never over FILE.
+    /// Replace files that exist, but never FILE.
     #[arg(long)]
     overwrite: bool,
     #[command(flatten)]
@@ -101,14 +100,15 @@ pub(super) fn run(args: &Arguments) -> Result<String, Refused> {
     new_file::write(&beside, said.as_bytes(), args.overwrite)?;
     let record = &motion.record;
     let (time, peak) = record.peak();
-    Ok(format!(
-        "wrote {out}: {} samples, {} s apart, peak {} m/s² at {} s\nwrote {}: where they come from\n",
+    let wrote = format!(
+        "{out}: {} samples, {} s apart, peak {} m/s² at {} s",
         record.samples().len(),
         record.time_step(),
         digits(peak),
-        digits(time),
-        beside.display()
-    ))
+        digits(time)
+    );
+    let beside = format!("{}: where they come from", beside.display());
+    Ok(Answer::new().say(Where::Terminal, "Wrote", vec![wrote, beside]).text(Form::Brief))
 }
 
 fn of_file(args: &Arguments) -> Result<Motion, Refused> {

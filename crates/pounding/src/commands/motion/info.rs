@@ -2,11 +2,11 @@
 
 mod printed;
 
-use pounding::text::{Naming, Refused};
 use std::path::{Path, PathBuf};
 
 use pounding::assess::{LeftOut, LeftOutReason, Suite, SuiteMotion};
 use pounding::motion::{Direction, Drift, Measures};
+use pounding::text::{Form, Naming, Refused};
 use rayon::prelude::*;
 
 use super::source::{Declared, Opened};
@@ -27,7 +27,7 @@ exit code is 1 where a file that is named here, and not only found in a folder,
 is refused. Measures are exact for an acceleration that is linear between
 samples, and no baseline is corrected: a drift of the ground is pointed out.";
 
-/// What is asked of `motion info`.
+/// The arguments of `motion info`.
 #[derive(Debug, clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub(super) struct Arguments {
@@ -45,25 +45,25 @@ pub(super) struct Arguments {
 }
 
 /// One component of one file.
-struct Line {
+struct ListedMotion {
     path: PathBuf,
-    /// Whether the file is named itself, and not only its folder.
+    /// Whether the file itself is named, and not only its folder.
     named: bool,
-    /// Its name, where the file holds several or one is asked for.
+    /// The name of the component, if the file holds several or if one is asked for.
     component: Option<String>,
-    found: Result<Found, Refused>,
+    found: Result<MeasuredMotion, Refused>,
 }
 
 /// A motion and its measures.
-struct Found {
+struct MeasuredMotion {
     opened: Opened,
-    /// How it lies and the number of its event, or why it shakes no row.
+    /// The direction of the motion and the number of its event, or why it shakes no row.
     placed: Result<(Option<Direction>, usize), LeftOutReason>,
     measures: Measures,
     drift: Option<Drift>,
 }
 
-/// What the files hold.
+/// Reads the files; returns what they hold.
 pub(super) fn run(args: &Arguments) -> Result<String, Failure> {
     let listed = Suite::listed(&args.files, &args.declared.of_files());
     let (suite, _) = listed?;
@@ -73,23 +73,17 @@ pub(super) fn run(args: &Arguments) -> Result<String, Failure> {
             args.files[0].display()
         )));
     }
-    let lines = lines_of(args, &suite);
-    all_refused(&lines)?;
-    let printed = if args.json {
-        printed::json_of(&lines, &suite, args.declared.gravity)
-    } else if args.csv {
-        printed::csv_of(&lines, args.declared.gravity)
-    } else {
-        printed::text(&lines, &suite, args.declared.gravity)
-    };
-    match named_refused(&lines) {
+    let motions = motions_of(args, &suite);
+    all_refused(&motions)?;
+    let printed = printed::answer(&motions, &suite, args.declared.gravity).text(Form::asked(false, args.csv, args.json));
+    match named_refused(&motions) {
         None => Ok(printed),
         Some(refused) => Err(Failure { printed, refused }),
     }
 }
 
-/// A line for each motion, whether it shakes rows or not, and for what is none, in the order of the files.
-fn lines_of(args: &Arguments, suite: &Suite) -> Vec<Line> {
+/// Every motion, whether it shakes rows or not, and every file that holds none, in the order of the files.
+fn motions_of(args: &Arguments, suite: &Suite) -> Vec<ListedMotion> {
     let progress = Progress::new();
     let used = suite.motions.iter();
     let used = used.map(|one| (Some(one), Ok((one.direction, one.event)), &*one.path));
@@ -98,27 +92,27 @@ fn lines_of(args: &Arguments, suite: &Suite) -> Vec<Line> {
     let mut all: Vec<_> = used.chain(others).collect();
     let order = |path: &Path| suite.files.iter().position(|file| file == path);
     all.sort_by_key(|(.., path)| order(path).unwrap_or(usize::MAX));
-    let line = |(motion, placed, path): &(Option<&SuiteMotion>, Result<_, &LeftOut>, &Path)| {
+    let listed = |(motion, placed, path): &(Option<&SuiteMotion>, Result<_, &LeftOut>, &Path)| {
         let named = args.files.iter().any(|file| file == path);
         let whole = |one: &LeftOut| path.file_name().is_some_and(|name| *name == *one.name);
         let chosen = motion.and_then(SuiteMotion::component).map(String::from);
         let declared = || args.declared.of_component(chosen.clone());
         let opened = match (motion, placed) {
             (None, Err(one)) if !named || !whole(one) => Err(Refused::at(Path::new(&one.name)).is(one.reason.sentence())),
-            // One alone is held against all that is declared.
+            // Of a single file everything that is declared must be true.
             (Some(_), _) if named && args.files.len() == 1 => declared().open(path),
             (Some(motion), _) => args.declared.use_motion(motion),
             (None, _) if args.files.len() == 1 => args.declared.open(path),
             (None, _) => args.declared.open_one_of_several(path),
         };
         progress.step(all.len());
-        // What is asked for may be a part of the name.
+        // The option may give a part of the name.
         let spelt = opened.as_ref().ok().and_then(Opened::component);
-        Line {
+        ListedMotion {
             path: path.to_path_buf(),
             named,
             component: chosen.map(|chosen| spelt.unwrap_or(chosen)),
-            found: opened.map(|opened| Found {
+            found: opened.map(|opened| MeasuredMotion {
                 placed: placed.map_err(|one| one.reason.clone()),
                 measures: opened.record.measures(),
                 drift: opened.record.drift(),
@@ -126,25 +120,25 @@ fn lines_of(args: &Arguments, suite: &Suite) -> Vec<Line> {
             }),
         }
     };
-    all.par_iter().map(line).collect()
+    all.par_iter().map(listed).collect()
 }
 
-/// The reason, where nothing was read.
-fn all_refused(lines: &[Line]) -> Result<(), Refused> {
-    match nothing_found(lines.iter().map(|line| &line.found)) {
+/// Refuses files if none can be read.
+fn all_refused(motions: &[ListedMotion]) -> Result<(), Refused> {
+    match nothing_found(motions.iter().map(|motion| &motion.found)) {
         None => Ok(()),
-        Some(refused) if lines.len() == 1 => Err(refused.clone()),
+        Some(refused) if motions.len() == 1 => Err(refused.clone()),
         Some(first) => {
-            let none = format!("none of the {} motions is read; the first: ", lines.len());
+            let none = format!("none of the {} motions is read; the first: ", motions.len());
             Err(Refused::that(none).and(first).by(Naming::Option))
         }
     }
 }
 
-/// What is said of files that were named and are refused; a folder may hold other files than records.
-fn named_refused(lines: &[Line]) -> Option<Refused> {
-    let refused = lines.iter().filter(|line| line.named);
-    let mut reasons = refused.filter_map(|line| line.found.as_ref().err());
+/// Says which files are refused although they were named; a folder may hold files that are no records.
+fn named_refused(motions: &[ListedMotion]) -> Option<Refused> {
+    let refused = motions.iter().filter(|motion| motion.named);
+    let mut reasons = refused.filter_map(|motion| motion.found.as_ref().err());
     let first = reasons.next()?;
     Some(match reasons.count() {
         0 => first.clone(),

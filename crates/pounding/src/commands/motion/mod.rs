@@ -16,7 +16,7 @@ Examples:
   pounding motion spectrum quake.AT2 --damping 2%,5% --figure spectrum.png
   pounding motion COMMAND --help";
 
-/// What is asked of `motion`.
+/// The arguments of `motion`.
 #[derive(Debug, clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub(crate) struct Arguments {

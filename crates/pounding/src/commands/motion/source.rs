@@ -1,6 +1,5 @@
-//! What a record file does not say itself, and the opening of such files.
+//! Options that declare what a record file leaves out, and the opening of such files.
 
-use pounding::text::Refused;
 use std::path::Path;
 
 use std::sync::Arc;
@@ -8,11 +7,11 @@ use std::sync::Arc;
 use pounding::assess::SuiteMotion;
 use pounding::motion::{Accelerogram, Record};
 use pounding::scene::{Error, FileUse, GroundMotion, Origin, RecordUse, STANDARD_GRAVITY, Source};
+use pounding::text::{Naming, Refused};
 
 use crate::commands::{declared, positive};
-use pounding::text::Naming;
 
-/// What files do not say themselves, which component is taken, and what one g is worth.
+/// Declarations for files that leave them out, the component that is taken, and the value of g.
 #[derive(Debug, Clone, PartialEq, clap::Args)]
 #[command(next_help_heading = "What the file does not say")]
 pub(super) struct Declared {
@@ -57,7 +56,7 @@ impl Declared {
         *self == nothing
     }
 
-    /// The record of a file as it is.
+    /// The record of a file, unprocessed.
     pub(super) fn use_of(&self, path: &Path) -> RecordUse {
         let file = FileUse {
             file: path.to_string_lossy().into_owned(),
@@ -69,7 +68,7 @@ impl Declared {
         }
     }
 
-    /// Reads a file as it is.
+    /// Reads a file without processing.
     pub(super) fn open(&self, path: &Path) -> Result<Opened, Refused> {
         processed(path, &self.use_of(path))
     }
@@ -79,7 +78,7 @@ impl Declared {
         Self { component, ..self.clone() }
     }
 
-    /// What is declared of the files of a folder.
+    /// The declarations for the files of a folder.
     pub(super) fn of_files(&self) -> FileUse {
         self.of_file.over(FileUse {
             component: self.component.clone(),
@@ -87,13 +86,13 @@ impl Declared {
         })
     }
 
-    /// A motion that was read, as it is.
+    /// A motion that was read, unprocessed.
     pub(super) fn use_motion(&self, motion: &SuiteMotion) -> Result<Opened, Refused> {
         let record = self.use_of(&motion.path);
         used(&record, Arc::clone(motion.origin())).map_err(|error| by_options(&motion.path, error))
     }
 
-    /// Reads one of several files: what is declared holds only where the file does not say it.
+    /// Reads a file among several: a declaration holds only if the file leaves it out.
     pub(super) fn open_one_of_several(&self, path: &Path) -> Result<Opened, Refused> {
         let record = self.use_of(path);
         let read = || {
@@ -104,7 +103,7 @@ impl Declared {
     }
 }
 
-/// What is declared of the file of a record.
+/// The declarations for the file of a record.
 fn file_of(record: &RecordUse) -> &FileUse {
     match &record.source {
         Source::File(file) => file,
@@ -128,7 +127,7 @@ pub(super) fn processed(path: &Path, record: &RecordUse) -> Result<Opened, Refus
     read.map_err(|error| by_options(path, error))
 }
 
-/// A record that is refused, with the options of the program where a scene has fields.
+/// The refusal of a record, with options of the program in place of the fields of a scene.
 fn by_options(path: &Path, error: Error) -> Refused {
     let mut refused = Refused::from(error).by(Naming::Option);
     refused.place_mut().scene = None;

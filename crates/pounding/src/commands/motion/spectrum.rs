@@ -1,18 +1,16 @@
 //! `pounding motion spectrum`: response spectra of a record, by the exact method.
 
-use pounding::text::Refused;
 use std::path::{Path, PathBuf};
 
 use pounding::report::{SpectraLabels, spectra_figure};
 use pounding::scene::{SpectralValues, Spectrum, response_spectra};
-use pounding::text::{Cell, csv_text, json_text};
-use serde_json::{Value, json};
+use pounding::text::{Answer, Cell, Form, Refused, Table, Unit, Where, percent, short};
+use serde_json::json;
 
 use super::source::{Declared, Opened};
 use crate::commands::{part_of_one, positive};
 use crate::new_file;
 use crate::progress::Counter;
-use crate::text::{paragraph, percent, short, table};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -26,7 +24,7 @@ between --from and --to. A figure is drawn through 400 periods in equal ratios
 and those of the table. Every value is exact for an acceleration that is linear
 between samples: no time step.";
 
-/// What is asked of `motion spectrum`.
+/// The arguments of `motion spectrum`.
 #[derive(Debug, clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub(super) struct Arguments {
@@ -51,7 +49,7 @@ pub(super) struct Arguments {
     /// Draw the spectra: .png or .svg.
     #[arg(long, value_name = "PICTURE", value_parser = picture)]
     figure: Option<PathBuf>,
-    /// Write over a picture that is there already.
+    /// Replace a picture that exists.
     #[arg(long, requires = "figure")]
     overwrite: bool,
     /// Print a table for a program, SI units.
@@ -80,17 +78,17 @@ fn picture(text: &str) -> Result<PathBuf, String> {
     }
 }
 
-/// Periods of a table that nobody chose \[s\]: those of the models of NGA-West2 (Y. Bozorgnia et al., *Earthquake Spectra*
+/// Default periods of a table \[s\]: those of the models of NGA-West2 (Y. Bozorgnia et al., *Earthquake Spectra*
 /// 30 (2014) 973).
 const TABLE: [f64; 21] = [
     0.01, 0.02, 0.03, 0.05, 0.075, 0.1, 0.15, 0.2, 0.25, 0.3, 0.4, 0.5, 0.75, 1.0, 1.5, 2.0, 3.0, 4.0, 5.0, 7.5, 10.0,
 ];
 
-/// Periods for a program that asks for no number of them.
+/// Default number of periods for programs.
 const COUNT: u32 = 100;
 
-/// Periods through which a figure is drawn: from 0.02 s to 10 s they are 1.6 % apart, so that the narrowest resonance at 2 %
-/// damping, 4 % wide, has more than two.
+/// Periods through which a figure is drawn. From 0.02 s to 10 s they are 1.6 % apart: the narrowest resonance at 2 % damping, 4 % wide, has
+/// more than two.
 const DRAWN: u32 = 400;
 
 /// The spectra.
@@ -114,13 +112,7 @@ pub(super) fn run(args: &Arguments) -> Result<String, Refused> {
     if let (Some(path), Some(curves)) = (&args.figure, curves) {
         draw(args, &opened, &with(curves, &listed), path)?;
     }
-    Ok(if args.json {
-        json_of(args, &opened, &listed)
-    } else if args.csv {
-        csv_of(&listed)
-    } else {
-        text(args, &opened, &listed)
-    })
+    Ok(answer(args, &opened, &listed).text(Form::asked(false, args.csv, args.json)))
 }
 
 /// The periods that are asked for.
@@ -144,7 +136,7 @@ fn periods(args: &Arguments) -> Result<Vec<f64>, Refused> {
     })
 }
 
-/// Periods of a figure, from the shortest to the longest of a table; of a table with fewer than two the usual ones.
+/// Periods of a figure, from the shortest to the longest of a table; the default ones if a table has fewer than two.
 fn between(args: &Arguments, periods: &[f64]) -> Vec<f64> {
     let positive = || periods.iter().copied().filter(|period| *period > 0.0);
     let (mut from, mut to) = (positive().fold(f64::INFINITY, f64::min), positive().fold(0.0, f64::max));
@@ -154,7 +146,7 @@ fn between(args: &Arguments, periods: &[f64]) -> Vec<f64> {
     pounding::scene::periods_between(from, to, DRAWN)
 }
 
-/// Curves that go through the values of a table, too.
+/// Adds the values of a table to curves.
 fn with(mut curves: Vec<Spectrum>, listed: &[Spectrum]) -> Vec<Spectrum> {
     for (curve, listed) in curves.iter_mut().zip(listed) {
         curve.values.extend(&listed.values);
@@ -187,95 +179,59 @@ fn component(args: &Arguments, opened: &Opened) -> Option<String> {
     Some(opened.component().unwrap_or(declared))
 }
 
-fn text(args: &Arguments, opened: &Opened, spectra: &[Spectrum]) -> String {
+fn answer<'a>(args: &Arguments, opened: &Opened, spectra: &'a [Spectrum]) -> Answer<'a> {
     let gravity = args.declared.gravity;
     let (time, peak) = opened.record.peak();
     let record = format!(
-        "{}\n{}, {} samples, {} s apart, peak {} g at {} s",
-        args.file.display(),
+        "{}, {} samples, {} s apart, peak {} g at {} s",
         opened.file().format().name(),
         opened.record.samples().len(),
         opened.record.time_step(),
         short(peak / gravity),
         short(time)
     );
-    let mut parts = vec![paragraph("Record", &record)];
-    parts.extend(spectra.iter().map(|spectrum| table_of(spectrum, gravity)));
-    parts.push(paragraph("Notes", NOTES));
-    if let Some(path) = &args.figure {
-        parts.push(paragraph("Figure", &path.display().to_string()));
-    }
-    parts.join("\n")
+    let file = args.file.display().to_string();
+    let numbers = |spectrum: &'a Spectrum| values(Table::of(&spectrum.values).gravity(gravity), |values| values);
+    let answer = Answer::new().say(Where::Terminal, "Record", vec![file.clone(), record]);
+    let answer = spectra.iter().fold(answer, |answer, spectrum| {
+        let damping = vec![percent(spectrum.damping_ratio)];
+        answer
+            .say(Where::Terminal, "Damping", damping)
+            .table(Where::Terminal, numbers(spectrum).grid())
+    });
+    let figure = args.figure.iter().map(|path| path.display().to_string());
+    let json = |spectrum: &'a Spectrum| json!({"damping_ratio": spectrum.damping_ratio, "values": numbers(spectrum).json()});
+    answer
+        .say(Where::Terminal, "Notes", vec![NOTES.into()])
+        .say(Where::Terminal, "Figure", figure.collect())
+        .fact("file", file)
+        .fact("component", component(args, opened))
+        .fact("gravity_m_per_s2", gravity)
+        .fact("spectra", spectra.iter().map(json).collect::<Vec<_>>())
+        .with_csv(move || {
+            let rows = spectra
+                .iter()
+                .flat_map(|spectrum| spectrum.values.iter().map(move |values| (spectrum.damping_ratio, values)));
+            let table = Table::of(rows).column("damping_ratio", |(damping, _)| Cell::exact(*damping));
+            values(table, |(_, values)| values).csv()
+        })
 }
 
 const NOTES: &str = "Sd: largest displacement relative to the ground; pseudo-Sv = (2π/T) Sd; pseudo-Sa = (2π/T)² Sd, times the mass \
                      the largest restoring force; Sa: largest absolute acceleration.";
 
-fn table_of(spectrum: &Spectrum, gravity: f64) -> String {
-    let header = [
-        ["Period", "[s]"],
-        ["Sd", "[mm]"],
-        ["pseudo-Sv", "[m/s]"],
-        ["pseudo-Sa", "[g]"],
-        ["Sa", "[g]"],
-    ];
-    let row = |values: &SpectralValues| {
-        vec![
-            short(values.period),
-            short(values.displacement * 1e3),
-            short(values.pseudo_velocity),
-            short(values.pseudo_acceleration / gravity),
-            short(values.absolute_acceleration / gravity),
-        ]
-    };
-    let rows: Vec<_> = spectrum.values.iter().map(row).collect();
-    let damping = paragraph("Damping", &percent(spectrum.damping_ratio));
-    format!("{damping}{}", table(&header, &rows))
-}
-
-/// Values of a structure with their names, SI units.
-fn numbers(values: &SpectralValues) -> [(&'static str, f64); 5] {
-    [
-        ("period_s", values.period),
-        ("sd_m", values.displacement),
-        ("pseudo_sv_m_per_s", values.pseudo_velocity),
-        ("pseudo_sa_m_per_s2", values.pseudo_acceleration),
-        ("sa_m_per_s2", values.absolute_acceleration),
-    ]
-}
-
-/// One row per damping ratio and period.
-fn csv_of(spectra: &[Spectrum]) -> String {
-    let rows = spectra.iter().flat_map(|spectrum| {
-        let values = spectrum.values.iter().map(numbers);
-        values.map(|numbers| {
-            let numbers = numbers.map(|(_, value)| Cell::exact(value));
-            std::iter::once(Cell::exact(spectrum.damping_ratio)).chain(numbers)
+/// Adds the values of a structure.
+fn values<'a, Of: 'a>(table: Table<'a, Of>, values: fn(&Of) -> &SpectralValues) -> Table<'a, Of> {
+    table
+        .number("period_s", "Period", &Unit::PERIOD, move |row| values(row).period)
+        .number("sd_m", "Sd", &Unit::METRE, move |row| values(row).displacement)
+        .number("pseudo_sv_m_per_s", "pseudo-Sv", &Unit::SPEED, move |row| {
+            values(row).pseudo_velocity
         })
-    });
-    let mut values = spectra.iter().flat_map(|spectrum| &spectrum.values);
-    let names = values.next().map(numbers).into_iter().flatten();
-    let names = names.map(|(name, _)| name);
-    let header: Vec<&str> = std::iter::once("damping_ratio").chain(names).collect();
-    csv_text(&header, rows)
-}
-
-fn json_of(args: &Arguments, opened: &Opened, spectra: &[Spectrum]) -> String {
-    let values = |values: &SpectralValues| -> Value {
-        let numbers = numbers(values).map(|(name, value)| (name.to_string(), json!(value)));
-        numbers.into_iter().collect::<serde_json::Map<_, _>>().into()
-    };
-    let spectrum = |spectrum: &Spectrum| {
-        json!({
-            "damping_ratio": spectrum.damping_ratio,
-            "values": spectrum.values.iter().map(values).collect::<Vec<_>>(),
+        .number("pseudo_sa_m_per_s2", "pseudo-Sa", &Unit::ACCELERATION, move |row| {
+            values(row).pseudo_acceleration
         })
-    };
-    let all = json!({
-        "file": args.file.display().to_string(),
-        "component": component(args, opened),
-        "gravity_m_per_s2": args.declared.gravity,
-        "spectra": spectra.iter().map(spectrum).collect::<Vec<_>>(),
-    });
-    json_text(&all)
+        .number("sa_m_per_s2", "Sa", &Unit::ACCELERATION, move |row| {
+            values(row).absolute_acceleration
+        })
 }

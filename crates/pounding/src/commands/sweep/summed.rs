@@ -1,170 +1,123 @@
-//! A summary on the terminal: cell by cell where they are few, else all runs together.
+//! A summary on the terminal: cell by cell if they are few, else all runs together.
 
 use pounding::sweep::{Exceedance, SummaryTable, SummedCell, SummedColumn};
-use pounding::text::plain;
-
-use crate::text::{NONE, paragraph, short, table};
+use pounding::text::{Answer, Grid, Shown, Table, Where, plain, short};
 
 /// Most rows of a kind that are printed of all runs together.
 const MOST: usize = 12;
-/// Cells that are printed one by one, and rows of all their blocks.
+/// Cells that are printed one by one, and rows of all their tables.
 const MOST_CELLS: usize = 40;
 const MOST_ROWS: usize = 40;
 
-/// Names of the numbers of a column, and of an exceedance.
-const NUMBERS: [&str; 6] = ["numbers", "mean", "deviation", "median", "84 %", "largest"];
-const EXCEEDANCE: [&str; 3] = ["probability", "from", "to"];
-
-/// A few numbers of every column.
-pub(super) fn told(summary: &SummaryTable) -> String {
-    let mut said = Vec::new();
-    let reasons = summary.first_failed();
-    let reasons: Vec<String> = reasons.map(|(run, reason)| format!("run {run}: {reason}")).collect();
-    if !reasons.is_empty() {
-        said.push(paragraph("Failed", &reasons.join("\n")));
-    }
+/// Adds a few numbers of every column.
+pub(super) fn parts<'a>(answer: Answer<'a>, summary: &SummaryTable) -> Answer<'a> {
+    let failed = summary.first_failed().map(|(run, reason)| format!("run {run}: {reason}")).collect();
     let (n_cells, by) = (summary.n_cells(), summary.by());
     let cells = match n_cells {
-        0 | 1 => String::new(),
-        2..=MOST_CELLS => paragraph("Cells", &format!("{n_cells}, by {by}")),
-        _ => {
-            let text = format!("{n_cells}, by {by}: one by one in the table, with their exceedances; here all together");
-            paragraph("Cells", &text)
-        }
+        0 | 1 => Vec::new(),
+        2..=MOST_CELLS => vec![format!("{n_cells}, by {by}")],
+        _ => vec![format!(
+            "{n_cells}, by {by}: one by one in the table, with their exceedances; here all together"
+        )],
     };
-    said.push(cells);
     let without = summary.without_numbers();
-    if !without.is_empty() {
-        let text = format!("no run has {}", without.join(", "));
-        said.push(paragraph("Without", &text));
-    }
-    let (blocks, left_out) = if (2..=MOST_CELLS).contains(&n_cells) {
+    let without = (!without.is_empty()).then(|| format!("no run has {}", without.join(", ")));
+    let answer = answer
+        .say(Where::Terminal, "Failed", failed)
+        .say(Where::Terminal, "Cells", cells)
+        .say(Where::Terminal, "Without", without.into_iter().collect());
+    let (tables, left_out) = if (2..=MOST_CELLS).contains(&n_cells) {
         of_cells(&by, &summary.cells())
     } else {
         of_columns(&summary.whole(), n_cells < 2)
     };
-    said.extend(blocks.iter().map(Block::text));
-    if left_out > 0 {
-        let hint = if summary.has_whole_buildings() {
-            ""
-        } else {
-            "; `buildings` and `neighbours` in `outputs` ask for the severest of all floors and levels"
-        };
-        let text = format!("{left_out} more in the table{hint}");
-        said.extend(["\n".into(), paragraph("More", &text)]);
-    }
-    said.concat()
+    let hint = if summary.has_whole_buildings() {
+        ""
+    } else {
+        "; `buildings` and `neighbours` in `outputs` ask for the severest of all floors and levels"
+    };
+    let more = (left_out > 0).then(|| format!("{left_out} more in the table{hint}"));
+    let answer = tables.into_iter().fold(answer, |answer, table| {
+        answer
+            .say(Where::Terminal, "Number", table.number.into_iter().collect())
+            .table(Where::Terminal, table.grid)
+    });
+    answer.say(Where::Terminal, "More", more.into_iter().collect())
 }
 
-/// Rows of numbers under their names.
-struct Block<'a> {
-    title: String,
-    /// What the rows differ in.
-    first: &'a str,
-    names: &'static [&'static str],
-    rows: Vec<Vec<String>>,
+/// A table of a summary.
+struct SummedTable {
+    /// The number that the table is about, if its rows are cells.
+    number: Option<String>,
+    grid: Grid,
 }
 
-impl Block<'_> {
-    fn text(&self) -> String {
-        let names = [&[self.first], self.names].concat();
-        let header: Vec<_> = names.into_iter().map(|name| [name]).collect();
-        let title = match self.title.as_str() {
-            "" => String::new(),
-            title => format!("{title}\n"),
-        };
-        format!("\n{title}{}", table(&header, &self.rows))
-    }
-}
-
-/// Every column as a row, and every exceedance of runs that are of one cell; how many rows are left out.
-fn of_columns(columns: &[SummedColumn], is_one_cell: bool) -> (Vec<Block<'static>>, usize) {
-    let numbers = columns.iter().map(|one| row(&one.name, numbers(one)));
+/// Every column as a row, and every exceedance if all runs are of one cell; returns also how many rows are left out.
+fn of_columns(columns: &[SummedColumn], is_one_cell: bool) -> (Vec<SummedTable>, usize) {
     let exceeded = columns.iter().filter(|_| is_one_cell);
-    let exceedances = exceeded.flat_map(|column| {
-        let all = column.exceedances.iter();
-        all.map(|one| row(&above(column, one), exceedance(Some(one))))
-    });
-    let (numbers, exceedances): (Vec<_>, Vec<_>) = (numbers.collect(), exceedances.collect());
-    let all = numbers.len() + exceedances.len();
-    let blocks = [(&NUMBERS[..], numbers), (&EXCEEDANCE, exceedances)].map(|(names, rows)| Block {
-        title: String::new(),
-        first: "",
-        names,
-        rows: rows.into_iter().take(MOST).collect(),
-    });
-    let blocks = blocks.into_iter().filter(|block| !block.rows.is_empty());
-    let blocks: Vec<_> = blocks.collect();
-    let shown: usize = blocks.iter().map(|block| block.rows.len()).sum();
-    (blocks, all - shown)
+    let exceeded = exceeded.flat_map(|column| column.exceedances.iter().map(move |one| (above(column, one), one)));
+    let exceeded: Vec<_> = exceeded.collect();
+    let all = columns.len() + exceeded.len();
+    let named = Table::of(columns.iter().take(MOST)).shown("", |column| Shown::from(column.name.as_str()));
+    let exceeded = Table::of(exceeded.into_iter().take(MOST)).shown("", |(name, _)| Shown::from(name.as_str()));
+    let grids = [
+        numbers(named, |column| column).grid(),
+        exceedances(exceeded, |(_, one)| Some(*one)).grid(),
+    ];
+    let shown: usize = grids.iter().map(|grid| grid.rows.len()).sum();
+    (grids.map(|grid| SummedTable { number: None, grid }).into(), all - shown)
 }
 
-/// Every cell as a row, in a block for each exceedance that is asked for, or for each column where none is; how many blocks are left
-/// out.
-fn of_cells<'a>(by: &'a str, cells: &[SummedCell]) -> (Vec<Block<'a>>, usize) {
+/// Every cell as a row, in a table for each exceedance that is asked for, or for each column if none is; returns also how many tables are
+/// left out.
+fn of_cells(by: &str, cells: &[SummedCell]) -> (Vec<SummedTable>, usize) {
+    let rows = || Table::of(cells).shown(by, |cell| Shown::from(cell.name.as_str()));
     let columns = 0..cells[0].columns.len();
-    // No run of a cell may have the number: then it has no exceedance.
+    // A cell has no exceedance if no run of it has the number.
     let exceeded = columns.clone().flat_map(|column| {
-        let mut all = cells.iter().map(|cell| &cell.columns[column]);
-        let known = all.find(|column| !column.exceedances.is_empty());
-        let known = known.map_or(&[][..], |column| &column.exceedances);
-        let places = known.iter().enumerate();
-        places.map(move |(place, one)| {
-            let of = |cell: &SummedCell| exceedance(cell.columns[column].exceedances.get(place));
-            Block {
-                title: above(&cells[0].columns[column], one),
-                first: by,
-                names: &EXCEEDANCE,
-                rows: cells.iter().map(|cell| row(&cell.name, of(cell))).collect(),
-            }
+        let mut all = cells.iter().map(|cell| &cell.columns[column].exceedances[..]);
+        let known = all.find(|exceedances| !exceedances.is_empty()).unwrap_or_default();
+        known.iter().enumerate().map(move |(place, one)| SummedTable {
+            number: Some(above(&cells[0].columns[column], one)),
+            grid: exceedances(rows(), move |cell| cell.columns[column].exceedances.get(place)).grid(),
         })
     });
-    let mut blocks: Vec<_> = exceeded.collect();
-    if blocks.is_empty() {
+    let mut tables: Vec<_> = exceeded.collect();
+    if tables.is_empty() {
         let has_numbers = |column: &usize| cells.iter().any(|cell| cell.columns[*column].numbers > 0);
-        let columns = columns.filter(has_numbers).map(|column| {
-            let of = |cell: &SummedCell| row(&cell.name, numbers(&cell.columns[column]));
-            Block {
-                title: cells[0].columns[column].name.clone(),
-                first: by,
-                names: &NUMBERS,
-                rows: cells.iter().map(of).collect(),
-            }
-        });
-        blocks = columns.collect();
+        let of_column = |column: usize| SummedTable {
+            number: Some(cells[0].columns[column].name.clone()),
+            grid: numbers(rows(), move |cell| &cell.columns[column]).grid(),
+        };
+        tables = columns.filter(has_numbers).map(of_column).collect();
     }
-    let all = blocks.len();
-    blocks.truncate(MOST_ROWS / cells.len());
-    let left_out = all - blocks.len();
-    (blocks, left_out)
+    let all = tables.len();
+    tables.truncate(MOST_ROWS / cells.len());
+    let left_out = all - tables.len();
+    (tables, left_out)
 }
 
-fn row(name: &str, numbers: Vec<String>) -> Vec<String> {
-    let name = vec![name.to_owned()];
-    [name, numbers].concat()
-}
-
-/// What is above a threshold.
+/// A number and the threshold that it exceeds.
 fn above(column: &SummedColumn, one: &Exceedance) -> String {
     format!("{} > {}", column.name, plain(one.threshold))
 }
 
-fn numbers(column: &SummedColumn) -> Vec<String> {
-    let number = |number: Option<f64>| number.map_or_else(|| NONE.into(), short);
-    let middle = |bounds: Option<(f64, f64)>| number(bounds.map(|(low, high)| 0.5 * (low + high)));
-    vec![
-        column.numbers.to_string(),
-        number(column.mean),
-        number(column.standard_deviation),
-        middle(column.median),
-        middle(column.p84),
-        number(column.largest),
-    ]
+/// Adds statistics of the numbers of a column.
+fn numbers<'a, Of: 'a>(table: Table<'a, &'a Of>, column: impl Fn(&'a Of) -> &'a SummedColumn + Copy + 'a) -> Table<'a, &'a Of> {
+    let middle = |(low, high): (f64, f64)| short(0.5 * (low + high));
+    table
+        .shown("numbers", move |row| column(*row).numbers.to_string())
+        .shown("mean", move |row| column(*row).mean.map(short))
+        .shown("deviation", move |row| column(*row).standard_deviation.map(short))
+        .shown("median", move |row| column(*row).median.map(middle))
+        .shown("84 %", move |row| column(*row).p84.map(middle))
+        .shown("largest", move |row| column(*row).largest.map(short))
 }
 
-fn exceedance(one: Option<&Exceedance>) -> Vec<String> {
-    match one {
-        Some(one) => [one.probability, one.bounds.0, one.bounds.1].map(short).into(),
-        None => vec![NONE.into(); EXCEEDANCE.len()],
-    }
+/// Adds the probability of an exceedance and its bounds.
+fn exceedances<'a, Of: 'a>(table: Table<'a, Of>, one: impl Fn(&Of) -> Option<&'a Exceedance> + Copy + 'a) -> Table<'a, Of> {
+    table
+        .shown("probability", move |row| one(row).map(|one| short(one.probability)))
+        .shown("from", move |row| one(row).map(|one| short(one.bounds.0)))
+        .shown("to", move |row| one(row).map(|one| short(one.bounds.1)))
 }

@@ -3,10 +3,10 @@
 use pounding::sweep::Shard;
 use pounding::text::Refused;
 
-/// The shard of this process with the variable that names its task; nothing where none does.
+/// The shard of this process with the variable that names its task; `None` if no variable does.
 ///
-/// With a number of shards tasks count from 1, so that some of them can be submitted again; task 0, of an array that counts from
-/// there, has the last shard. Without it the array itself says how many tasks it has.
+/// With a number of shards tasks count from 1: some of them can be submitted again. Task 0, of an array that counts from 0, has the last
+/// shard. Without that number the array says how many tasks it has.
 pub(super) fn shard(shards: Option<u64>, variable: impl Fn(&str) -> Option<String>) -> Result<Option<(&'static str, Shard)>, Refused> {
     let number = |name: &'static str| -> Result<Option<u64>, Refused> {
         let Some(text) = variable(name).filter(|text| !text.is_empty()) else {

@@ -48,7 +48,7 @@ fn names(seen: &Seen<'_>, pair: usize) -> String {
     format!("{left} – {right}")
 }
 
-/// The collisions of the shown pairs, forces or impulses; nothing where there is none.
+/// The collisions of the shown pairs, forces or impulses; `None` if there is none.
 pub(super) fn stems(seen: &Seen<'_>) -> Option<Panel> {
     let pairs = &seen.shown.panels;
     let compliant = |pair: &usize| seen.prepared.pairs()[*pair].law.is_compliant();

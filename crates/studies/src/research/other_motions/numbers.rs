@@ -11,7 +11,7 @@ trait Keys {
 }
 
 /// A table whose first columns name the motion, scene and structure of a row.
-fn keyed<'a, One: Keys>(rows: impl Iterator<Item = One>) -> Table<'a, One> {
+fn keyed<'a, One: Keys + 'a>(rows: impl Iterator<Item = One>) -> Table<'a, One> {
     Table::of(rows)
         .column("table", |one: &One| one.keys().0.table.clone())
         .column("scene", |one| one.keys().0.scene.clone())

@@ -75,7 +75,7 @@ pub(super) fn collisions(races: &[Race]) -> String {
 }
 
 /// Adds four columns with the reliability of a result.
-fn known_as<'a, Row>(table: Table<'a, Row>, known: impl Fn(&Row) -> Option<(Known, &Race)> + Copy + 'a) -> Table<'a, Row> {
+fn known_as<'a, Row: 'a>(table: Table<'a, Row>, known: impl Fn(&Row) -> Option<(Known, &Race)> + Copy + 'a) -> Table<'a, Row> {
     let number = move |row: &Row, of: fn(Known, &Race) -> f64| known(row).map(|(known, race)| error(Some(of(known, race))));
     table
         .column("distance_of_routes", move |row| number(row, |known, _| known.distance))

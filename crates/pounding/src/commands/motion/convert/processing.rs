@@ -1,4 +1,4 @@
-//! What is done to a record on its way into a CSV: the options of a scene's `record`.
+//! The processing of a record on its way into a CSV: the options of a scene's `record`.
 
 use clap::ValueEnum;
 use pounding::scene::file::{Detrend, FilterBand, ScaleTo};
@@ -9,13 +9,13 @@ use crate::commands::{part_of_one, positive};
 /// Three words of a target: a period, a damping ratio that may be per cent, an acceleration.
 const TARGET: &str = "allowed are T in s, Z such as 0.05 or 5%, and SA in g: finite numbers >= 0";
 
-/// What is done to the record, in this order.
+/// The processing of a record, in this order.
 #[derive(Debug, Clone, PartialEq, clap::Args)]
 #[command(next_help_heading = "Processing")]
 pub(super) struct Processing {
     /// Take away the mean or a line: constant, linear.
     #[arg(long, value_enum, value_name = "LINE", hide_possible_values = true)]
-    detrend: Option<Line>,
+    detrend: Option<Trend>,
     /// Keep a band of frequencies [Hz], Butterworth.
     #[arg(long, num_args = 2, value_names = ["LOW", "HIGH"], allow_negative_numbers = true, value_parser = positive)]
     band_pass: Vec<f64>,
@@ -48,9 +48,9 @@ pub(super) struct Processing {
     pub(super) reverse: bool,
 }
 
-/// What is taken away.
+/// A trend that is taken away.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-enum Line {
+enum Trend {
     /// The mean of all samples.
     Constant,
     /// The straight line of least squares.
@@ -75,9 +75,9 @@ impl Processing {
     }
 
     pub(super) fn detrend(&self) -> Option<Detrend> {
-        self.detrend.map(|line| match line {
-            Line::Constant => Detrend::Constant,
-            Line::Linear => Detrend::Linear,
+        self.detrend.map(|trend| match trend {
+            Trend::Constant => Detrend::Constant,
+            Trend::Linear => Detrend::Linear,
         })
     }
 
@@ -96,7 +96,7 @@ impl Processing {
     /// The target to scale to.
     ///
     /// # Errors
-    /// A word that is not the number it should be: only a damping ratio may be per cent.
+    /// Refuses a word that is not the number it should be: only a damping ratio may be per cent.
     pub(super) fn scale_to(&self) -> Result<Option<ScaleTo>, Refused> {
         if let Some(peak) = self.scale_to_pga {
             return Ok(Some(ScaleTo::PgaG(peak)));

@@ -1,4 +1,4 @@
-//! What stands beside a converted record: where its numbers come from, and what was done to them.
+//! The file beside a converted record: the source of its numbers, and their processing.
 
 use std::path::Path;
 
@@ -9,7 +9,7 @@ use serde_json::{Value, json};
 use super::{Arguments, Motion, To};
 use pounding::text::json_text;
 
-/// File, component, digits by which the file is known, and every step, as JSON.
+/// The file, its component and hash, and every step of processing, as JSON.
 pub(super) fn json_of(args: &Arguments, motion: &Motion) -> String {
     let record = &motion.record;
     let unit = match args.to {
@@ -32,7 +32,7 @@ pub(super) fn json_of(args: &Arguments, motion: &Motion) -> String {
     json_text(&said)
 }
 
-/// The file of a record; nothing of it where it was never one.
+/// The file of a record.
 fn from(origin: &Origin) -> Value {
     let mut readings = origin.file.readings().iter();
     let component = readings.find(|one| one.what == "component");

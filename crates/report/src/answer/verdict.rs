@@ -1,53 +1,51 @@
 //! The answer in a few sentences: whether they touch, how often, how hard, and how sure that is.
 
-use super::markup::{NONE, escaped, list, short};
-use crate::summary::{CollisionSummary, PairSummary, Summary};
 use pounding_scene::{Errors, PairQuantity, QuantityGroup, Review};
-use pounding_text::percent;
+use pounding_text::{Manner, NONE, percent, short};
+
+use crate::summary::{CollisionSummary, PairSummary, Summary};
 
 /// More pairs than this are counted, not named.
 const MOST: usize = 5;
 
-/// The box at the top of the page.
-pub(super) fn verdict(summary: &Summary, review: &Review) -> String {
-    let mut touching: Vec<(&PairSummary, &CollisionSummary)> = summary
-        .pairs
-        .iter()
-        .filter_map(|pair| Some((pair, pair.largest.as_ref()?)))
-        .collect();
+/// The pairs that touch, those first with the largest impulse.
+fn touching(summary: &Summary) -> Vec<(&PairSummary, &CollisionSummary)> {
+    let pairs = summary.pairs.iter();
+    let mut touching: Vec<_> = pairs.filter_map(|pair| Some((pair, pair.largest.as_ref()?))).collect();
     touching.sort_by(|one, other| other.1.impulse_n_s.total_cmp(&one.1.impulse_n_s));
-    let exact = exact_collisions(summary);
-    if touching.is_empty() && exact.is_some_and(|exact| exact > 0) {
-        return missed(summary, review);
+    touching
+}
+
+/// The box at the top of the page.
+pub(super) fn manner(summary: &Summary) -> Manner {
+    Manner::Verdict {
+        before: 0,
+        touch: !touching(summary).is_empty() || exact_collisions(summary).is_some_and(|exact| exact > 0),
     }
-    if touching.is_empty() {
-        return format!(
-            "<div class=\"verdict\">\n{}<p>{}</p>\n</div>\n",
-            apart(summary, review),
-            escaped(&certainty(review))
-        );
-    }
-    let mut lines: Vec<String> = touching
-        .iter()
-        .take(MOST)
-        .map(|(pair, largest)| collisions(pair, largest))
-        .collect();
-    if touching.len() > MOST {
-        let more = touching.len() - MOST;
-        lines.push(format!("{more} further pairs touch; see the table of pairs"));
-    }
-    let n: usize = touching.iter().map(|one| one.0.collisions()).sum();
-    let pairs = match summary.pairs.len() {
-        1 => String::new(),
-        all => format!(" at {} of {all} gaps", touching.len()),
+}
+
+/// The answer, what it rests on, and how sure it is.
+pub(super) fn lines(summary: &Summary, review: &Review) -> Vec<String> {
+    let (touching, exact) = (touching(summary), exact_collisions(summary));
+    let mut lines = if touching.is_empty() {
+        match exact {
+            Some(exact) if exact > 0 => missed(summary),
+            _ => apart(summary, review),
+        }
+    } else {
+        let n: usize = touching.iter().map(|one| one.0.collisions()).sum();
+        let pairs = match summary.pairs.len() {
+            1 => String::new(),
+            all => format!(" at {} of {all} gaps", touching.len()),
+        };
+        let first = format!("They touch {}{pairs}{}.", times(n), against(n, exact));
+        let hardest = touching.iter().take(MOST).map(|(pair, largest)| collisions(pair, largest));
+        let more = touching.len().saturating_sub(MOST);
+        let more = (more > 0).then(|| format!("{more} further pairs touch; see the table of pairs"));
+        std::iter::once(first).chain(hardest).chain(more).collect()
     };
-    format!(
-        "<div class=\"verdict touch\">\n<p><strong>They touch {}{pairs}{}.</strong></p>\n{}<p>{}</p>\n</div>\n",
-        times(n),
-        against(n, exact),
-        list(&lines),
-        escaped(&certainty(review))
-    )
+    lines.push(certainty(review));
+    lines
 }
 
 fn times(n: usize) -> String {
@@ -68,7 +66,7 @@ fn exact_collisions(summary: &Summary) -> Option<usize> {
     exact.sum()
 }
 
-/// What exact motion has instead of so many touches, behind them.
+/// The number of touches in exact motion, if it differs.
 fn against(n: usize, exact: Option<usize>) -> String {
     match exact {
         Some(0) => " in this run; exact motion has no touch".into(),
@@ -77,42 +75,37 @@ fn against(n: usize, exact: Option<usize>) -> String {
     }
 }
 
-/// What is said where this run has no touch and exact motion does.
-fn missed(summary: &Summary, review: &Review) -> String {
+/// The sentence for a run without a touch whose exact motion has one.
+fn missed(summary: &Summary) -> Vec<String> {
     let pairs = summary.pairs.iter().filter_map(|pair| {
         let exact = pair.errors.as_ref()?.exact_collisions;
         let collisions = if exact == 1 { "collision" } else { "collisions" };
-        (exact > 0).then(|| {
+        let said = || {
             format!(
                 "{} – {}: exact motion has {exact} {collisions}, this run none",
                 pair.left, pair.right
             )
-        })
+        };
+        (exact > 0).then(said)
     });
-    let pairs: Vec<String> = pairs.collect();
-    format!(
-        "<div class=\"verdict touch\">\n<p><strong>The steps of this run miss the touches that exact motion has.</strong></p>\n\
-         {}<p>{}</p>\n</div>\n",
-        list(&pairs),
-        escaped(&certainty(review))
-    )
+    let first = "The steps of this run miss the touches that exact motion has.".to_owned();
+    std::iter::once(first).chain(pairs).collect()
 }
 
-/// What is said where nobody touches.
-fn apart(summary: &Summary, review: &Review) -> String {
-    let nearest = summary
-        .pairs
-        .iter()
-        .min_by(|one, other| one.least_opening().total_cmp(&other.least_opening()));
+/// The sentence for a run in which nothing touches.
+fn apart(summary: &Summary, review: &Review) -> Vec<String> {
+    let pairs = summary.pairs.iter();
+    let nearest = pairs.min_by(|one, other| one.least_opening().total_cmp(&other.least_opening()));
     let Some(pair) = nearest else {
-        return "<p><strong>Contact was not asked for.</strong></p>\n<p>The scene gives no gaps: each structure moves by \
-                itself.</p>\n"
-            .into();
+        return vec![
+            "Contact was not asked for.".into(),
+            "The scene gives no gaps: each structure moves by itself.".into(),
+        ];
     };
     let gravity = summary.scene.record.gravity_m_per_s2;
     let text = |quantity: PairQuantity| {
-        pair.number(quantity)
-            .map_or_else(|| NONE.into(), |value| quantity.about().text_of(value, gravity))
+        let value = pair.number(quantity);
+        value.map_or_else(|| NONE.into(), |value| quantity.about().text_of(value, gravity))
     };
     let mut excesses = review.excesses.iter();
     let apart = if excesses.any(|one| one.kind.is_unwatched()) {
@@ -120,17 +113,17 @@ fn apart(summary: &Summary, review: &Review) -> String {
     } else {
         "They do not touch."
     };
-    format!(
-        "<p><strong>{apart}</strong></p>\n<p>{}</p>\n",
-        escaped(&format!(
+    vec![
+        apart.into(),
+        format!(
             "The narrowest place: of the {} mm between {} and {} at least {} mm stay open, at {} s.",
             text(PairQuantity::GapM),
             pair.left,
             pair.right,
             text(PairQuantity::LeastOpeningM),
             text(PairQuantity::LeastOpeningTimeS)
-        ))
-    )
+        ),
+    ]
 }
 
 /// What happens between two neighbours.

@@ -1,0 +1,122 @@
+//! What matters of a run, on one screen: where it touches hardest, and the worst of every building.
+
+use pounding_scene::{Errors, FloorQuantity, QuantityGroup, Review, RunResult, Simulation};
+use pounding_text::{Grid, Shown, Table, digits, percent, short};
+
+use crate::{Blow, InWords};
+
+/// Pairs that are shown on the first screen; the others are counted.
+const MOST: usize = 6;
+
+/// The scene, its record and method, and what is known of the errors, in a line each.
+pub(super) fn scene(prepared: &Simulation, review: &Review) -> Vec<String> {
+    let scene = prepared.scene();
+    let method = match scene.method.name().replace('_', " ") {
+        name if name == "exact" => "the exact method".into(),
+        name => name,
+    };
+    let steps = scene.method.time_step();
+    let steps = steps.map_or(String::new(), |step| format!(", steps of {} s", digits(step)));
+    let (_, peak) = prepared.record().peak();
+    vec![
+        scene.name.clone(),
+        format!(
+            "{}, peak {} g",
+            scene.record.source,
+            short(peak.abs() / scene.record.gravity_m_per_s2)
+        ),
+        format!(
+            "{} s by {method}{steps}, {}: {}",
+            digits(prepared.duration()),
+            scene.record.direction(),
+            errors(&review.errors)
+        ),
+    ]
+}
+
+fn errors(errors: &Errors) -> String {
+    match errors {
+        Errors::Exact => "no error beyond rounding".into(),
+        Errors::Doubtful => "this run has gone wrong (see the warnings)".into(),
+        Errors::NotMeasured => "errors not measured (--no-error)".into(),
+        Errors::Unknown(_) => "errors not known, the exact run fails".into(),
+        Errors::Measured(errors, _) => match errors.largest(QuantityGroup::All) {
+            (largest, _) if largest <= 0.0 => "no error".into(),
+            (largest, of) if largest.is_finite() => format!("largest error {} ({of})", percent(largest)),
+            (_, of) => format!("another {of} than the exact run"),
+        },
+    }
+}
+
+/// The pairs that touch, the hardest first.
+pub(super) fn pairs(prepared: &Simulation, outcome: &RunResult) -> Grid {
+    Table::of(Blow::all(outcome))
+        .shown("Floors that touch, the hardest first", |blow| {
+            prepared.floors().names(blow.pair).join(" – ")
+        })
+        .shown_in("mm", "Gap", |blow| digits(1e3 * prepared.pairs()[blow.pair].gap()))
+        .shown("Times", |blow| outcome.of_pair(blow.pair).collisions)
+        .shown_in("m/s", "Approach", |blow| blow.speed.map(short))
+        .shown_in("kN·s", "Impulse", |blow| short(1e-3 * blow.impulse))
+        .shown_in("kN", "Force", |blow| {
+            blow.force.map_or("impulsive".into(), |force| short(1e-3 * force))
+        })
+        .grid()
+        .most(MOST)
+}
+
+/// How many pairs never touch, where others do.
+pub(super) fn apart(prepared: &Simulation, outcome: &RunResult) -> Vec<String> {
+    let (all, touching) = (prepared.pairs().len(), Blow::all(outcome).len());
+    match (touching, all - touching) {
+        _ if all == 0 => vec!["no contact is modelled".into()],
+        (0, _) | (_, 0) => Vec::new(),
+        (_, 1) => vec!["1 pair of floors never touches".into()],
+        (_, n) => vec![format!("{n} pairs of floors never touch")],
+    }
+}
+
+/// Numbers whose worst floor of each building the first screen shows.
+const WORST: [FloorQuantity; 5] = [
+    FloorQuantity::PeakDisplacementM,
+    FloorQuantity::PeakDriftM,
+    FloorQuantity::DriftRatio,
+    FloorQuantity::PeakShearForceN,
+    FloorQuantity::Ductility,
+];
+
+/// The worst of every building, each with its floor.
+pub(super) fn buildings(prepared: &Simulation, words: &InWords<'_>) -> Grid {
+    let floors = prepared.floors();
+    let worst = |structure: usize, quantity: FloorQuantity| {
+        let own = floors.of_structure(structure).iter().copied();
+        let known = own.filter_map(|floor| {
+            let value = words.value(words.of_storey(quantity, floor), floor)?;
+            Some((floor, value.abs()))
+        });
+        let (floor, _) = known.reduce(|worst, next| if next.1 > worst.1 { next } else { worst })?;
+        let text = words.text(words.of_storey(quantity, floor), floor)?;
+        let text = text.trim_start_matches('-');
+        Some(match floors.all()[floor].storey {
+            Some(storey) => format!("{text} ({storey})"),
+            None => text.into(),
+        })
+    };
+    let scene = prepared.scene();
+    let moving = 0..scene.structures.len();
+    let moving: Vec<usize> = moving
+        .filter(|one| worst(*one, FloorQuantity::PeakDisplacementM).is_some())
+        .collect();
+    let has_storeys = floors.all().iter().any(|floor| floor.storey.is_some());
+    let known = WORST.into_iter().filter(|quantity| {
+        let is_drift = *quantity == FloorQuantity::PeakDriftM;
+        (has_storeys || !is_drift) && moving.iter().any(|one| worst(*one, *quantity).is_some())
+    });
+    let known: Vec<FloorQuantity> = known.collect();
+    let table = Table::of(moving).shown("Largest, and at which floor", |one| scene.structures[*one].name().to_owned());
+    let table = known.into_iter().fold(table, |table, quantity| {
+        let about = quantity.about();
+        table.shown_in(about.unit.shown, about.heading, move |one| Shown::from(worst(*one, quantity)))
+    });
+    table.grid()
+}

@@ -1,0 +1,146 @@
+//! The answer of a run, once, for the terminal and the page; `summary.json` is the answer for programs.
+
+mod brief;
+mod effects;
+mod facts;
+mod scene;
+mod tables;
+mod verdict;
+
+pub use facts::{method_facts, record_facts};
+
+use pounding_scene::{Implausible, RunResult, Warning};
+use pounding_text::{Answer, Grid, Manner, Where};
+
+use crate::page::{BEFORE, UNUSUAL};
+use crate::{InWords, Report, Summary};
+
+impl Report<'_> {
+    /// The answer: whether they touch, how hard, what it does to the buildings, and how sure that is. Its JSON is the
+    /// [`Summary`].
+    pub fn answer(&self) -> Answer<'_> {
+        let (prepared, review) = (self.prepared, self.review());
+        let (summary, words) = (self.summary(), InWords::of(prepared, review));
+        let unusual = Implausible::lines(summary.unusual.iter().map(|one| ("", one)));
+        let answer = Answer::new().say_as(Where::Everywhere, Manner::Box(UNUSUAL), "Unusual", unusual);
+        let answer = self
+            .both_directions(answer)
+            .say(Where::FirstScreen, "Scene", brief::scene(prepared, review))
+            .say_as(Where::Page, verdict::manner(&summary), "", verdict::lines(&summary, review))
+            .table(Where::FirstScreen, brief::pairs(prepared, &review.outcome))
+            .say(Where::FirstScreen, "Apart", brief::apart(prepared, &review.outcome))
+            .table(Where::FirstScreen, brief::buildings(prepared, &words));
+        let answer = self
+            .warnings(answer)
+            .figure("animation")
+            .figure("profiles")
+            .appendix("motion")
+            .figure("displacements")
+            .heading("Pairs")
+            .table(Where::Details, tables::pairs(prepared, &words))
+            .say_as(
+                Where::Everywhere,
+                Manner::Soft,
+                "Leaning",
+                tables::leaning(prepared, &review.outcome),
+            )
+            .say(Where::Page, "", no_pairs(&summary))
+            .figure("gaps")
+            .heading_of("Collisions", tables::collisions(prepared, &review.outcome));
+        let answer = match &self.effects {
+            Some(effects) => effects::parts(answer.heading("What pounding does to every storey"), prepared, effects),
+            None => answer,
+        };
+        let answer = answer
+            .heading("Structures")
+            .table(Where::Details, tables::structures(prepared, &words))
+            .table(Where::Details, tables::motions(prepared, &words))
+            .table(Where::Details, tables::storeys(prepared, &words))
+            .say_as(Where::Details, Manner::Soft, "Notes", vec![tables::notes(prepared)])
+            .figure("hysteresis");
+        self.made_of(answer, &summary)
+            .say(Where::FirstScreen, "More", vec![MORE.into()])
+            .with_json(|| self.summary().to_json())
+    }
+
+    /// Adds the facts of the run: the scene, its ground motion, the method, and where the energy went.
+    fn made_of<'a>(&self, answer: Answer<'a>, summary: &Summary) -> Answer<'a> {
+        let (prepared, review) = (self.prepared, self.review());
+        answer
+            .heading("Scene")
+            .say(Where::Details, "Scene", vec![summary.scene.name.clone()])
+            .table(Where::Details, scene::structures(prepared))
+            .table(Where::Details, scene::contacts(&summary.scene))
+            .heading("Ground motion")
+            .say_as(Where::Details, Manner::Facts, "Record", record_facts(prepared))
+            .figure("ground-motion")
+            .heading("Method")
+            .say_as(Where::Details, Manner::Facts, "Method", method_facts(prepared))
+            .say_as(Where::Details, Manner::Facts, "Errors", facts::errors(prepared, review))
+            .say_as(
+                Where::Details,
+                Manner::Facts,
+                "Histories",
+                facts::histories(summary, self.sampling.words),
+            )
+            .say_as(Where::Details, Manner::Facts, "Work", facts::work(review))
+            .heading("Energy")
+            .say_as(Where::Details, Manner::Facts, "Energy", facts::ledger(summary))
+    }
+
+    /// Adds the results of both directions of shaking, the worse one first, if both ran.
+    fn both_directions<'a>(&self, answer: Answer<'a>) -> Answer<'a> {
+        let Some(directions) = &self.directions else {
+            return answer;
+        };
+        let touch = |run: &RunResult| !run.collisions.all().is_empty();
+        let manner = Manner::Verdict {
+            before: 0,
+            touch: touch(&self.review.outcome) || directions.other.as_ref().is_some_and(touch),
+        };
+        answer
+            .say_as(Where::Everywhere, manner, "Answer", directions.sentences.to_vec())
+            .say(Where::Page, "", vec!["In the direction of the scene:".into()])
+    }
+
+    /// Adds the warnings, and what helps against them.
+    fn warnings<'a>(&self, answer: Answer<'a>) -> Answer<'a> {
+        let mut warnings = self.notices();
+        let is_error = |one: &Warning| matches!(one, Warning::Error { .. });
+        if self.review.warnings.iter().any(is_error) {
+            warnings.push("`pounding advise SCENE --error 3%` finds a method and time step".into());
+        }
+        if warnings.is_empty() {
+            let besides = if self.prepared.doubts().is_empty() {
+                "none"
+            } else {
+                "none besides what is unusual"
+            };
+            return answer.say(Where::Terminal, "Warnings", vec![besides.into()]);
+        }
+        answer.say_as(Where::Everywhere, Manner::Box(BEFORE), "Warnings", warnings)
+    }
+}
+
+/// The sentence of the page in place of an empty table of pairs.
+fn no_pairs(summary: &Summary) -> Vec<String> {
+    let none = summary.pairs.is_empty();
+    none.then(|| "None: no contact is modelled.".into()).into_iter().collect()
+}
+
+const MORE: &str = "--details prints every floor, the record, errors and work; --out FOLDER writes a report; `pounding explain WORD` says what a word means";
+
+/// A heading that comes with its table.
+trait HeadingOf {
+    fn heading_of(self, title: &str, table: Grid) -> Self;
+}
+
+impl HeadingOf for Answer<'_> {
+    fn heading_of(self, title: &str, table: Grid) -> Self {
+        if table.is_empty() {
+            self
+        } else {
+            self.heading(title).table(Where::Details, table)
+        }
+    }
+}

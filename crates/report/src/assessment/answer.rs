@@ -1,0 +1,153 @@
+//! What an assessment found, once, for the terminal, the page and programs.
+
+use pounding_assess::TargetFit;
+use pounding_text::{Answer, Manner, Where};
+use serde_json::{Value, json};
+
+use super::AssessmentReport;
+use super::tables::{first, statistics};
+use crate::SCHEMA_VERSION;
+use crate::page::{BEFORE, UNUSUAL, sentence};
+
+impl AssessmentReport {
+    /// The answer: the gaps, what touching does, and how sure that is. Its CSV has a line for each number \[SI\]: record, reversed, building,
+    /// floor, neighbour, quantity, value.
+    pub fn answer(&self) -> Answer<'_> {
+        let unusual = self.unusual().iter().map(ToString::to_string).collect();
+        let verdict = Manner::Verdict {
+            before: self.before().len(),
+            touch: !self.hit().is_empty(),
+        };
+        let answer = Answer::new()
+            .say_as(Where::Everywhere, Manner::Box(UNUSUAL), "Unusual", unusual)
+            .say_as(Where::Everywhere, verdict, "Answer", self.sentences())
+            .figure("animation")
+            .say_as(Where::Everywhere, Manner::Beside, "Motions", self.shaking())
+            .say_as(Where::Everywhere, Manner::Box(BEFORE), "Warnings", self.warnings())
+            .heading("Required gap")
+            .say(Where::Page, "", vec![REQUIRED.into()])
+            .table(Where::Everywhere, first(&self.gaps()))
+            .figure("gap")
+            .figure("profiles")
+            .appendix("what touching does");
+        let answer = self.rules_and_motions(self.touching(answer));
+        self.facts(answer).with_csv(|| self.numbers().csv())
+    }
+
+    fn touching<'a>(&'a self, answer: Answer<'a>) -> Answer<'a> {
+        let answer = match self.animation {
+            Some(_) => answer.figure("row"),
+            None => answer,
+        };
+        let hit = self.hit();
+        if hit.is_empty() {
+            let none = if self.leaves_out() {
+                "No floors that were looked at touch."
+            } else {
+                "Nothing touches."
+            };
+            let why = self.floors.says_no_contact().map_or_else(|| none.into(), sentence);
+            return answer.say(Where::Page, "", vec![why]);
+        }
+        let worse = self.worse();
+        let storeys = if worse.is_empty() {
+            "No storey gets worse by more than 10 % in more than 16 % of the events."
+        } else {
+            "Storeys that get worse by more than 10 % in more than 16 % of the events:"
+        };
+        let [from, to] = self.stiffness.map(pounding_text::digits);
+        let forces = format!(
+            "Forces and impulses from the median of the events with the contact that gives least to the largest of all runs and contacts, \
+             {from} to {to} times as stiff as in the scene: nobody knows the stiffness better, and it decides forces and accelerations."
+        );
+        let mut answer = answer
+            .say(Where::Page, "", vec![storeys.into()])
+            .table(Where::Everywhere, first(&self.storeys(worse)))
+            .say(Where::Page, "", vec![forces])
+            .table(Where::Everywhere, first(&self.pairs(hit)));
+        if let (Some(pairs), Some(storeys)) = (self.bumper_pairs(), self.bumper_storeys()) {
+            answer = answer
+                .heading("Bumpers in the gaps")
+                .say(Where::Page, "", vec![self.bumper_says().join(" ")]);
+            if self.bumpers().is_some_and(|effect| !effect.is_too_thin()) {
+                answer = answer.table(Where::Details, pairs.grid()).table(Where::Details, storeys.grid());
+            }
+        }
+        answer.figure("amplification").figure("neighbour")
+    }
+
+    fn rules_and_motions<'a>(&'a self, answer: Answer<'a>) -> Answer<'a> {
+        answer
+            .heading("Rules of codes")
+            .say(Where::Page, "", vec![RULES.into()])
+            .table(Where::Everywhere, first(&self.rules()))
+            .heading("Motions")
+            .table(Where::Details, self.runs().grid())
+            .say_as(Where::Everywhere, Manner::List, "Records", self.remarks().to_vec())
+            .heading("Every storey")
+            .say_as(Where::Details, Manner::Soft, "Storeys", vec![STOREYS.into()])
+            .table(Where::Details, self.storeys(self.every_storey()).grid())
+            .say(Where::FirstScreen, "More", vec![MORE.into()])
+    }
+
+    /// Everything for programs, SI units.
+    fn facts<'a>(&'a self, answer: Answer<'a>) -> Answer<'a> {
+        let assessment = &self.assessment;
+        let by_stiffness = assessment.by_stiffness.as_ref().map(|effect| {
+            json!({
+                "drift_largest_over_least": statistics(&effect.drift),
+                "acceleration_largest_over_least": statistics(&effect.acceleration),
+                "impulse_largest_over_least": statistics(&effect.impulse),
+            })
+        });
+        let pairs = assessment.pairs.iter().enumerate().collect();
+        answer
+            .fact("schema_version", SCHEMA_VERSION)
+            .fact("version", env!("CARGO_PKG_VERSION"))
+            .fact("unusual", json!(self.unusual()))
+            .fact("cautions", self.before())
+            .fact("answers", self.answers())
+            .fact("proposals", self.proposals())
+            .fact("neighbour", self.prior_json())
+            .fact("bumper", self.bumper_json())
+            .fact("warnings", self.warnings())
+            .fact("runs", assessment.runs)
+            .fact("stiffness_factors", json!(self.stiffness))
+            .fact("scaling", json!(self.scaling.words))
+            .fact("scaled", self.scaling.to.to_string())
+            .fact("target", json!(self.fit.as_ref().map(fit)))
+            .fact("events", assessment.events)
+            .fact("cases", assessment.cases)
+            .fact("left_out", self.folder.left_out.clone())
+            .fact("by_stiffness", json!(by_stiffness))
+            .fact("gaps", self.gaps().json())
+            .fact("floors", self.storeys(self.floors_in_order()).json())
+            .fact("pairs", self.pairs(pairs).json())
+            .fact("motions", self.runs().json())
+            .fact("scene", json!(self.asked))
+    }
+}
+
+const REQUIRED: &str = "The width that keeps the neighbours apart under an event: the largest closing of the gap while every building stands \
+                        alone, of its components in both directions.";
+
+const RULES: &str = "Each rule takes the displacements of the time history of both buildings standing alone. “At worst” is its width as a \
+                     part of the one that is needed.";
+
+const STOREYS: &str = "Median / 84 % of the events in which their building touches; accelerations from the median with the contact that gives \
+                       least to 84 % with the one that gives most, as forces.";
+
+const MORE: &str =
+    "--details prints every run and storey, --out FOLDER writes a report, --bumper proposed says what bumpers in the gaps change";
+
+fn fit(fit: &TargetFit) -> Value {
+    let (share, period) = fit.least();
+    json!({
+        "least_share": share,
+        "least_share_at_s": period,
+        "peak_share": fit.peak_share,
+        "periods_s": fit.periods,
+        "target_g": fit.target,
+        "mean_g": fit.mean,
+    })
+}

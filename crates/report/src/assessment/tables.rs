@@ -1,0 +1,225 @@
+//! The tables of an assessment, each once for people and for programs.
+
+use pounding_assess::{Distribution, FloorAssessment, GapAssessment, PairAssessment, RuleAssessment};
+use pounding_text::{Cell, Shown, Table, Unit, two_decimals, two_digits};
+use serde_json::{Value, json};
+
+use super::{AssessedMotion, AssessmentReport};
+
+/// Most rows of a table on the first screen.
+const MOST: usize = 6;
+
+/// A distribution for programs.
+pub(super) fn statistics(of: &Distribution) -> Value {
+    json!({
+        "median": of.median(),
+        "p84": of.p84(),
+        "largest": of.largest(),
+        "dispersion": of.dispersion(),
+    })
+}
+
+/// Median and 84 % of ratios.
+pub(super) fn both(of: &Distribution) -> String {
+    format!("{} / {}", two_decimals(of.median()), two_decimals(of.p84()))
+}
+
+/// The median with the contact that gives least, and the largest with the one that gives most, in thousands.
+fn range(of: Option<&[Distribution; 2]>) -> Shown {
+    of.map(|[low, high]| format!("{} to {}", two_digits(1e-3 * low.median()), two_digits(1e-3 * high.largest())))
+        .into()
+}
+
+fn ends(of: Option<&[Distribution; 2]>) -> Cell {
+    of.map(|[low, high]| json!({"least": statistics(low), "largest": statistics(high)}))
+        .into()
+}
+
+/// A gap and the width that a rule gives it.
+type RuleOfGap<'a> = (&'a GapAssessment, &'a RuleAssessment);
+
+impl AssessmentReport {
+    fn between(&self, gap: &GapAssessment) -> String {
+        let [left, right] = self.gap_names(gap);
+        format!("{left} – {right}")
+    }
+
+    /// The width that every gap needs.
+    pub(super) fn gaps(&self) -> Table<'_, &GapAssessment> {
+        let touching = match self.sample() {
+            "event" => "Events that touch",
+            _ => "Cases that touch",
+        };
+        Table::of(&self.assessment.gaps)
+            .shown("Gap", |gap| self.between(gap))
+            .column("left", |gap| self.gap_names(gap)[0])
+            .column("right", |gap| self.gap_names(gap)[1])
+            .number("gap_m", "Scene", &Unit::WIDTH, |gap| gap.own)
+            .both(
+                "touching",
+                touching,
+                |gap| gap.touching,
+                |gap| format!("{} of {}", gap.touching, self.assessment.cases),
+            )
+            .column("touching_runs", |gap| gap.touching_runs)
+            .number("required_m.median", "Median", &Unit::NEEDED, |gap| gap.required.median())
+            .number("required_m.p84", "84 %", &Unit::NEEDED, |gap| gap.required.p84())
+            .number("required_m.largest", "Largest", &Unit::NEEDED, |gap| gap.required.largest())
+            .number("required_m.dispersion", "Spread σ ln", &Unit::RATIO, |gap| {
+                gap.required.dispersion()
+            })
+            .column("required_sorted_m", |gap| json!(gap.required))
+            .column("beside_columns_m", |gap| Cell::exact(gap.beside_columns))
+            .number("proposed_m", "Proposed", &Unit::WIDTH, |gap| gap.proposal())
+            .column("rules", |gap| self.rules_of(gap).json())
+    }
+
+    fn rules_of<'a>(&'a self, gap: &'a GapAssessment) -> Table<'a, RuleOfGap<'a>> {
+        self.of_rules(gap.rules.iter().map(move |rule| (gap, rule)))
+    }
+
+    /// The widths of the rules of codes for every gap.
+    pub(super) fn rules(&self) -> Table<'_, RuleOfGap<'_>> {
+        let gaps = self.assessment.gaps.iter();
+        self.of_rules(gaps.flat_map(|gap| gap.rules.iter().map(move |rule| (gap, rule))))
+    }
+
+    fn of_rules<'a>(&'a self, rules: impl Iterator<Item = RuleOfGap<'a>>) -> Table<'a, RuleOfGap<'a>> {
+        Table::of(rules)
+            .shown("Gap", |(gap, _)| self.between(gap))
+            .both("rule", "Rule", |(_, rule)| rule.rule.name(), |(_, rule)| rule.rule.name())
+            .number("width_m.median", "Median", &Unit::WIDTH, |(_, rule)| rule.width.median())
+            .number("width_m.p84", "84 %", &Unit::WIDTH, |(_, rule)| rule.width.p84())
+            .number("width_m.largest", "Largest", &Unit::WIDTH, |(_, rule)| rule.width.largest())
+            .column("width_m.dispersion", |(_, rule)| Cell::exact(rule.width.dispersion()))
+            .both(
+                "too_narrow",
+                "Too narrow",
+                |(_, rule)| rule.too_narrow,
+                |(_, rule)| format!("{} of {}", rule.too_narrow, self.assessment.cases),
+            )
+            .number("least_share", "At worst", &Unit::WHOLE_PERCENT, |(_, rule)| rule.least_share)
+    }
+
+    /// The effects of touching on these storeys.
+    pub(super) fn storeys<'a>(&'a self, floors: Vec<(usize, &'a FloorAssessment)>) -> Table<'a, (usize, &'a FloorAssessment)> {
+        let floor = |index: usize| &self.floors.all()[index];
+        Table::of(floors)
+            .shown("When they touch, median / 84 %", move |(index, _)| floor(*index).name.as_str())
+            .column("building", move |(index, _)| self.scene.structures[floor(*index).structure].name())
+            .column("floor", move |(index, _)| floor(*index).storey.unwrap_or(1))
+            .both(
+                "drift_amplification",
+                "Drift × alone",
+                |(_, one)| statistics(&one.drift),
+                |(_, one)| both(&one.drift),
+            )
+            .both(
+                "shear_amplification",
+                "Shear × alone",
+                |(_, one)| statistics(&one.shear),
+                |(_, one)| both(&one.shear),
+            )
+            .column("acceleration_amplification", |(_, one)| statistics(&one.acceleration))
+            .both(
+                "acceleration_amplification_over_stiffness",
+                "Acceleration × alone, range",
+                |(_, one)| ends(Some(&one.acceleration_range)),
+                |(_, one)| {
+                    let [least, largest] = &one.acceleration_range;
+                    format!("{} to {}", two_decimals(least.median()), two_decimals(largest.p84()))
+                },
+            )
+            .number("largest_drift_m", "Largest drift", &Unit::WIDTH, |(_, one)| one.largest_drift)
+            .column("worse", |(_, one)| one.is_worse())
+    }
+
+    /// Every storey in the order of the row.
+    pub(super) fn floors_in_order(&self) -> Vec<(usize, &FloorAssessment)> {
+        let floors = self.assessment.floors.iter().enumerate();
+        floors.filter_map(|(index, one)| Some((index, one.as_ref()?))).collect()
+    }
+
+    /// Every storey of every building, from the ground up.
+    pub(super) fn every_storey(&self) -> Vec<(usize, &FloorAssessment)> {
+        let floors = self.floors.by_structure();
+        floors
+            .filter_map(|floor| Some((floor, self.assessment.floors[floor].as_ref()?)))
+            .collect()
+    }
+
+    /// How hard these pairs meet.
+    pub(super) fn pairs<'a>(&'a self, pairs: Vec<(usize, &'a PairAssessment)>) -> Table<'a, (usize, &'a PairAssessment)> {
+        let names = |index: usize| {
+            let facing = self.floors.facing()[index];
+            [facing.left, facing.right].map(|floor| self.floor_name(floor))
+        };
+        Table::of(pairs)
+            .shown("Pair", move |(index, _)| names(*index).join(" – "))
+            .column("left", move |(index, _)| names(*index)[0].clone())
+            .column("right", move |(index, _)| names(*index)[1].clone())
+            .both("touching", "Events that touch", |(_, one)| one.touching, |(_, one)| one.touching)
+            .both(
+                "peak_force_n",
+                ("Force", "kN"),
+                |(_, one)| ends(one.peak_force.as_ref()),
+                |(_, one)| range(one.peak_force.as_ref()),
+            )
+            .both(
+                "largest_impulse_n_s",
+                ("Largest impulse", "kN·s"),
+                |(_, one)| ends(one.largest_impulse.as_ref()),
+                |(_, one)| range(one.largest_impulse.as_ref()),
+            )
+            .number("approach_speed_m_per_s", "Speed up to", &Unit::ROUGH_SPEED, |(_, one)| {
+                one.approach_speed
+            })
+    }
+
+    /// Every run.
+    pub(super) fn runs(&self) -> Table<'_, &AssessedMotion> {
+        Table::of(&self.motions)
+            .shown("Motion", |one| {
+                format!("{}{}", one.name, if one.reversed { ", reversed" } else { "" })
+            })
+            .column("record", |one| one.name.as_str())
+            .column("event", |one| one.event + 1)
+            .column("reversed", |one| one.reversed)
+            .number("scale_factor", "Scaled by", &Unit::ONE, |one| one.run.scale)
+            .column("neighbour", |one| json!(one.neighbour))
+            .shown_in("mm", "Widest gap needed", |one| Unit::NEEDED.text_of(one.run.widest_gap(), 0.0))
+            .shown("Collisions", |one| one.run.collisions())
+    }
+
+    /// The effects of bumpers on the forces of pairs.
+    pub(super) fn bumper_pairs(&self) -> Option<Table<'_, (usize, &pounding_assess::PairBumperEffect)>> {
+        let force = |of: &Option<Distribution>| of.as_ref().map(|of| two_digits(1e-3 * of.median()));
+        let effect = self.bumpers()?;
+        let pairs = effect.pairs.iter().enumerate();
+        let table = Table::of(pairs.filter_map(|(index, one)| Some((index, one.as_ref()?))))
+            .shown("With bumpers", |(index, _)| {
+                let facing = self.floors.facing()[*index];
+                [facing.left, facing.right].map(|floor| self.floor_name(floor)).join(" – ")
+            })
+            .shown_in("kN", "Force without, median", move |(_, one)| force(&one.force_without))
+            .shown_in("kN", "With, median", move |(_, one)| force(&one.force_with))
+            .shown_in("mm", "Compressed by up to", |(_, one)| Unit::WIDTH.text_of(one.compression, 0.0));
+        Some(table)
+    }
+
+    /// The effects of bumpers on storeys.
+    pub(super) fn bumper_storeys(&self) -> Option<Table<'_, (usize, &pounding_assess::FloorBumperEffect)>> {
+        let effect = self.bumpers()?;
+        let floors = effect.floors.iter().enumerate();
+        let table = Table::of(floors.filter_map(|(index, one)| Some((index, one.as_ref()?))))
+            .shown("With bumpers over without, median / 84 %", |(index, _)| self.floor_name(*index))
+            .shown("Drift", |(_, one)| both(&one.drift))
+            .shown("Acceleration", |(_, one)| both(&one.acceleration));
+        Some(table)
+    }
+}
+
+/// Rows of a table on the first screen.
+pub(super) fn first<Row>(table: &Table<'_, Row>) -> pounding_text::Grid {
+    table.grid().most(MOST)
+}
