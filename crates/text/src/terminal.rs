@@ -134,7 +134,8 @@ fn in_lines(names: &[Vec<String>], rows: &[Vec<String>]) -> String {
     let first = (*names).min(WIDTH.saturating_sub(numbers).max(LABEL));
     let print = |line: &Vec<String>| {
         let others = line.iter().zip(&widths).skip(1);
-        let others: String = others.map(|(cell, width)| format!("  {cell:>width$}")).collect();
+        let others: Vec<String> = others.map(|(cell, width)| format!("  {cell:>width$}")).collect();
+        let others = others.concat();
         let (above, name) = if length(&line[0]) > first {
             let blanks = line[0].chars().take_while(|letter| *letter == ' ').count();
             let indent = " ".repeat(blanks);
