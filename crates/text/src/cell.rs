@@ -16,7 +16,7 @@ pub struct Cell(Content);
 
 #[derive(Debug, Clone, Default, PartialEq)]
 enum Content {
-    /// There is nothing, or no finite number.
+    /// No value, or no finite number.
     #[default]
     Nothing,
     Text(String),
@@ -28,13 +28,13 @@ enum Content {
 }
 
 impl Cell {
-    /// A number in a format of the caller's; empty where there is none, and of one that is not finite.
+    /// A number in a format of the caller; empty if there is none, or if it is not finite.
     pub fn number(value: impl Into<Option<f64>>, format: impl FnOnce(f64) -> String) -> Self {
         let number = value.into().and_then(|value| Some((serde_json::Number::from_f64(value)?, value)));
         Self(number.map_or(Content::Nothing, |(number, value)| Content::Number(number, format(value))))
     }
 
-    /// The same in the shortest digits that give the number back.
+    /// A number in the shortest digits that give it back.
     pub fn exact(value: impl Into<Option<f64>>) -> Self {
         Self::number(value, |value| {
             let plain = value.to_string();
@@ -42,7 +42,7 @@ impl Cell {
         })
     }
 
-    /// A number that was written before it came here, in a table of texts alone: empty where it is none.
+    /// A number that was written before, in a table of texts alone: empty if it is not finite.
     fn written(text: &str) -> Self {
         let is_none = ["NaN", "inf", "-inf"].contains(&text);
         if is_none { Self::default() } else { text.into() }
@@ -58,7 +58,7 @@ impl Cell {
         }
     }
 
-    /// The value in JSON: of a number all digits.
+    /// The value in JSON, with all digits of a number.
     pub fn json(self) -> Value {
         match self.0 {
             Content::Nothing => Value::Null,
@@ -73,8 +73,8 @@ impl Cell {
 /// Letters of a number that stands without an exponent.
 const LONGEST: usize = 24;
 
-/// A text as tables hold it. No spreadsheet takes it for a formula: it stands behind an apostrophe where it begins as one and is no
-/// number. What steers a terminal is spelt, as by [`visible`].
+/// A text for tables. No spreadsheet takes it for a formula: a text that begins as one and is no number stands behind an apostrophe. Letters
+/// that steer a terminal are spelt, as by [`visible`].
 pub fn harmless(text: &str) -> Cow<'_, str> {
     let shown = visible(text);
     let begins = shown.starts_with(['=', '+', '-', '@', '\t']);
@@ -154,7 +154,7 @@ pub fn csv_text<Name: AsRef<str>>(header: &[Name], rows: impl IntoIterator<Item:
     String::from_utf8(bytes).expect("cells are text")
 }
 
-/// The same of texts, some of which are numbers; no other may read `inf` or `NaN`.
+/// A table of texts as CSV. Some texts are numbers: cells that read `inf` or `NaN` are empty.
 ///
 /// # Panics
 /// If a row is not as long as the header.
@@ -163,8 +163,8 @@ pub fn to_csv(header: &[String], rows: &[Vec<String>]) -> String {
     csv_text(header, rows.iter().map(cells).collect::<Vec<Vec<_>>>())
 }
 
-/// JSON as files and answers hold it, with a line break at its end; `null` of a number that is not finite. Letters that JSON takes and a
-/// terminal obeys are escaped, too.
+/// JSON as files and answers hold it, with a line break at its end; a number that is not finite is `null`. Letters that JSON takes
+/// and a terminal obeys are escaped, too.
 ///
 /// # Panics
 /// If a value has no JSON, such as a map whose keys are no texts.

@@ -89,7 +89,7 @@ pub fn millimetres(length: f64) -> String {
     digits((length * 1e4).round() / 10.0)
 }
 
-/// The same of a width that is needed: rounded up, so that as much is enough.
+/// A width that is needed \[m\] in millimetres, rounded up to a tenth, so that as much is enough.
 pub fn millimetres_up(length: f64) -> String {
     let up = rounded_up(length * 1e3, 1);
     up.parse().map_or(up, digits)

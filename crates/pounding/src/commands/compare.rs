@@ -11,7 +11,7 @@ use pounding::scene::{Error, Errors, Floor, PairQuantity, Quantity, QuantityGrou
 use pounding::text::{Answer, Form, Grid, NONE, Refused, Where, digits, json_text, percent, short};
 
 use crate::progress::Waiting;
-use rows::{ComparedValue, ComparedRow, changed};
+use rows::{ComparedRow, ComparedValue, changed};
 
 const EXAMPLES: &str = "\
 Examples:

@@ -3,11 +3,16 @@
 use pounding_scene::{Effects, FloorEffects, Known, NOTHING_TOUCHES, ROBUST, Simulation};
 use pounding_text::{Answer, Grid, Manner, Shown, Table, Where, digits, percent, short, two_decimals};
 
+use crate::page::sentence;
+
 /// The parts of an answer about effects: a table with a row for each direction of every storey.
 pub(super) fn parts<'a>(answer: Answer<'a>, prepared: &Simulation, effects: &Effects) -> Answer<'a> {
     if !effects.touch() {
         let why = prepared.floors().says_no_contact().unwrap_or(NOTHING_TOUCHES);
-        return answer.say(Where::Everywhere, "Effects", vec![format!("none: {why}")]);
+        let none = format!("none: {why}");
+        return answer
+            .say(Where::Page, "", vec![sentence(&none)])
+            .say(Where::Terminal, "Effects", vec![none]);
     }
     let notes = format!(
         "Peaks beside the neighbours, and as multiples of those of the same building alone, in both directions of shaking. ~ marks what moves \

@@ -141,7 +141,7 @@ pub fn failed<T>(lines: &[Line<T>]) -> Vec<String> {
         let direction = match (both, line.reversed) {
             (true, _) => "",
             (false, true) => ", reversed",
-            (false, false) => ", as recorded",
+            (false, false) => ", as given",
         };
         Some(format!("{}{direction}: {reason}", line.motion))
     };
@@ -191,12 +191,7 @@ mod tests {
             line("c", false, Err("one")),
             line("c", true, Err("another")),
         ];
-        let wanted = [
-            "a, reversed: diverges",
-            "b: no record",
-            "c, as recorded: one",
-            "c, reversed: another",
-        ];
+        let wanted = ["a, reversed: diverges", "b: no record", "c, as given: one", "c, reversed: another"];
         assert_eq!(failed(&lines), wanted);
         assert_eq!(failed(&[line("d", true, Err("x"))]), ["d: x"]);
         assert_eq!(nothing_found(lines.iter().map(|line| &line.found)), None);
