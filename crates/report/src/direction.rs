@@ -42,7 +42,11 @@ impl BothDirections {
     /// Of a run, and the run in the other direction.
     pub fn of(prepared: &Simulation, review: &Review, other: Result<RunResult, Error>) -> Self {
         let reversed = prepared.scene().record.reversed;
-        let names = [reversed, !reversed].map(direction);
+        let names = if reversed {
+            ["reversed, as in the scene", direction(false)]
+        } else {
+            [direction(false), direction(true)]
+        };
         let given = &review.outcome;
         match other {
             Ok(other) => Self {

@@ -120,8 +120,8 @@ fn lines_of(row: &[Shown]) -> Vec<Vec<String>> {
     std::iter::once(texts).chain(has_below.then(|| below.collect())).collect()
 }
 
-/// Columns, the first to the left, the others to the right. A name for which the table would be too wide stands in separate lines above its
-/// numbers. Texts for which it would be too wide are broken between words.
+/// Columns, the first to the left, the others to the right. If they are too wide, they stand closer, names stand in separate lines above their
+/// numbers, and long texts are broken between words.
 fn in_lines(names: &[Vec<String>], rows: &[Vec<String>]) -> String {
     let lines: Vec<&Vec<String>> = names.iter().chain(rows).collect();
     let n_columns = lines.first().map_or(0, |line| line.len());
@@ -130,7 +130,13 @@ fn in_lines(names: &[Vec<String>], rows: &[Vec<String>]) -> String {
     let Some((names, numbers)) = widths.split_first() else {
         return String::new();
     };
-    let numbers: usize = numbers.iter().map(|width| width + 2).sum();
+    let numbers: usize = numbers.iter().sum();
+    let between = if names.min(&LABEL) + numbers + 2 * (n_columns - 1) > WIDTH {
+        1
+    } else {
+        2
+    };
+    let numbers = numbers + between * (n_columns - 1);
     let first = (*names).min(WIDTH.saturating_sub(numbers).max(LABEL));
     let words = |column: usize| {
         lines
@@ -141,25 +147,27 @@ fn in_lines(names: &[Vec<String>], rows: &[Vec<String>]) -> String {
     };
     let mut excess = (first + numbers).saturating_sub(WIDTH);
     while excess > 0 {
-        let breakable = (1..n_columns).filter(|column| words(*column) < widths[*column]);
+        let least = |column: usize| words(column).max(BLOCK_CELL);
+        let breakable = (1..n_columns).filter(|column| least(*column) < widths[*column]);
         let Some(column) = breakable.max_by_key(|column| widths[*column]) else {
             break;
         };
-        let narrow = widths[column].saturating_sub(excess).max(words(column));
+        let narrow = widths[column].saturating_sub(excess).max(least(column));
         excess -= widths[column] - narrow;
         widths[column] = narrow;
     }
-    lines.into_iter().map(|line| printed(line, first, &widths)).collect()
+    widths[0] = first;
+    lines.into_iter().map(|line| printed(line, &widths, between)).collect()
 }
 
-/// A row of a table, in as many lines as its cells need in columns of these widths; `first` is the width of the first column.
-fn printed(row: &[String], first: usize, widths: &[usize]) -> String {
+/// A row of a table, in as many lines as its cells need in columns of these widths, with blanks between them.
+fn printed(row: &[String], widths: &[usize], between: usize) -> String {
     let cells = row.iter().zip(widths).skip(1).map(|(cell, width)| {
         let is_broken = length(cell) > *width;
-        let lines = if is_broken { broken(cell, *width) } else { vec![cell.clone()] };
-        (lines, *width)
+        if is_broken { broken(cell, *width) } else { vec![cell.clone()] }
     });
-    let cells: Vec<(Vec<String>, usize)> = cells.collect();
+    let cells: Vec<Vec<String>> = cells.collect();
+    let first = widths[0];
     let (above, name) = if length(&row[0]) > first {
         let blanks = row[0].chars().take_while(|letter| *letter == ' ').count();
         let indent = " ".repeat(blanks);
@@ -168,12 +176,13 @@ fn printed(row: &[String], first: usize, widths: &[usize]) -> String {
     } else {
         (String::new(), row[0].as_str())
     };
-    let tallest = cells.iter().map(|(lines, _)| lines.len()).max().unwrap_or(1);
+    let tallest = cells.iter().map(Vec::len).max().unwrap_or(1);
     let line = |line: usize| {
         let name = if line == 0 { name } else { "" };
-        let cells = cells
-            .iter()
-            .map(|(lines, width)| format!("  {:>width$}", lines.get(line).map_or("", String::as_str)));
+        let cells = cells.iter().zip(&widths[1..]).map(|(lines, width)| {
+            let width = width + between;
+            format!("{:>width$}", lines.get(line).map_or("", String::as_str))
+        });
         let text = format!("{name:first$}{}", cells.collect::<String>());
         format!("{}\n", text.trim_end())
     };
@@ -254,10 +263,10 @@ mod tests {
         let text = "impact_damping_ratio = 0.3500, impact_stiffness_n_per_m1_5 = 2.750e9, and a third = 1";
         let table = Grid::of(headings, vec![vec!["weak – stiff".into(), "30 ".into(), text.into()]]);
         insta::assert_snapshot!(table.terminal(true), @r"
-        Contact      Gap                                                      Parameters
-                    [mm]
+        Contact     Gap                                                       Parameters
+                   [mm]
         weak – stiff
-                     30     impact_damping_ratio = 0.3500, impact_stiffness_n_per_m1_5 =
+                    30      impact_damping_ratio = 0.3500, impact_stiffness_n_per_m1_5 =
                                                                 2.750e9, and a third = 1
         ");
     }
