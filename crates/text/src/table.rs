@@ -150,9 +150,14 @@ impl<'a, Row: 'a> Table<'a, Row> {
         self.columns.iter().filter_map(|column| Some((&**column.name.as_ref()?, column)))
     }
 
+    /// Names of the columns for programs.
+    pub fn names(&self) -> impl Iterator<Item = &str> {
+        self.named().map(|(name, _)| name)
+    }
+
     /// The table for programs as CSV: the names of its columns, and a line for each row.
     pub fn csv(&self) -> String {
-        let header: Vec<&str> = self.named().map(|(name, _)| name).collect();
+        let header: Vec<&str> = self.names().collect();
         let cells = |row| self.named().map(move |(_, column)| (column.cell)(row));
         csv_text(&header, self.rows.iter().map(cells))
     }

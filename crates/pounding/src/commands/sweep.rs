@@ -6,6 +6,7 @@ mod task;
 
 use std::path::{Path, PathBuf};
 
+use pounding::report::said_briefly;
 use pounding::scene::Method;
 use pounding::sweep::{ColumnErrors, Parts, Shard, Sweep, SweepAccuracy, beside_table, summary_beside};
 use pounding::text::{Answer, Form, Manner, Refused, Where, digits, percent};
@@ -13,7 +14,7 @@ use pounding::text::{Answer, Form, Manner, Refused, Where, digits, percent};
 pub(super) use joined::of_table;
 
 use super::Failure;
-use super::suite::{STOPPED, said_briefly, stop_when_asked};
+use super::suite::{STOPPED, stop_when_asked};
 use crate::progress::{Counter, Waiting};
 use crate::{new_file, say};
 

@@ -1,6 +1,6 @@
 //! A run of the scene under one motion of a folder, for tables, sentences and programs.
 
-use pounding::report::{CollisionSummary, PairSummary, Site, SitedNumber, StructureSummary};
+use pounding::report::{CollisionSummary, MotionRow, PairSummary, Site, SitedNumber, StructureSummary, UnderMotion};
 use pounding::scene::lines::Line;
 use pounding::scene::{
     Effects, Errors, Excess, FloorQuantity, Floors, Implausible, PairOutcome, PairQuantity, Quantity, QuantityGroup, QuantityKind, Review,
@@ -8,8 +8,6 @@ use pounding::scene::{
 };
 use pounding::text::NONE;
 use serde_json::{Value, json};
-
-use crate::commands::suite::{MotionRow, UnderMotion};
 
 /// A run under one motion in one direction.
 pub(super) struct RunUnderMotion {
