@@ -108,19 +108,6 @@ impl Separation {
     pub fn asks_for_more(&self, width: f64) -> bool {
         width < self.required * (1.0 - LOOKED)
     }
-
-    /// Returns the numbers with their names, in SI units: required width, instant, both peaks, and the widths by the [common
-    /// rules](Rule::COMMON).
-    pub fn numbers(&self) -> impl Iterator<Item = (&'static str, f64)> {
-        let own = [
-            ("required_m", self.required),
-            ("time_s", self.time),
-            ("peak_left_m", self.peaks[0]),
-            ("peak_right_m", self.peaks[1]),
-        ];
-        let rules = Rule::COMMON.map(|rule| (rule.key(), rule.width(self).unwrap_or(f64::NAN)));
-        own.into_iter().chain(rules)
-    }
 }
 
 /// A rule for the width of a gap.

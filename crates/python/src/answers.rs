@@ -6,8 +6,7 @@ use pounding_assess::Effects;
 use pounding_contact::{Calibration, LawName};
 use pounding_report::{OpenSees, OpenSeesError, Sketch, advice_answer, certificate};
 use pounding_scene::{
-    Certificate, CertificateRequest, Error, Floors, FreeCollision, Goal, Method, QuantityGroup, Scene, SharedMotion, Simulation,
-    StepMethod,
+    Certificate, CertificateRequest, Error, Floors, FreeCollision, Goal, Method, QuantityGroup, Scene, SharedMotion, Simulation, StepMethod,
 };
 use pounding_text::{Form, Refused, json_text};
 use pyo3::prelude::*;

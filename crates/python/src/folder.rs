@@ -2,16 +2,16 @@
 
 use std::path::{Path, PathBuf};
 
-use pounding_assess::{AssessedRun, DesignSpectrum, MotionLine, MotionLines, Scaling, Separation, Suite, Watched};
-use pounding_report::{AssessmentReport, ScalingAsked};
+use pounding_assess::{AssessedRun, DesignSpectrum, MotionLines, Scaling, Suite, Watched};
+use pounding_report::{AssessmentReport, GapsUnderMotion, OfFolder, ScalingAsked, gaps_table};
 use pounding_scene::file::ScaleTo;
-use pounding_scene::{Error, Excess, Implausible, Method, Scene};
+use pounding_scene::{Error, Method, Scene};
 use pounding_text::{Form, Refused};
 use pyo3::prelude::*;
 
 use crate::refused::OrRefused;
 use crate::run::Given;
-use crate::table::{Column, Table};
+use crate::table::Table;
 use crate::waiting::{Watch, wait};
 
 /// An assessment of a row under a folder of records.
@@ -160,62 +160,17 @@ pub(crate) fn required_gap(
             &BOTH,
             watched(watch, &|of| watch.step(1, of as u64)),
             |_| Ok::<_, Error>((apart.clone(), ())),
-            |prepared, ()| {
-                let (gaps, excesses) = Separation::judged(prepared)?;
-                Ok((gaps, excesses, prepared.doubts()))
-            },
+            |prepared, ()| GapsUnderMotion::of(prepared),
         )?;
-        let said = [vec![suite.counts()], MotionLine::failed(&lines.lines), suite.remarks(true)];
-        Ok((scene, lines.lines, said.concat()))
+        let folder = OfFolder {
+            scene: &scene,
+            suite: &suite,
+            lines: &lines.lines,
+            warnings: Vec::new(),
+        };
+        let unusual = folder.unusual().iter().map(ToString::to_string).collect();
+        let said = [unusual, folder.warnings(), folder.records(true)].concat();
+        Ok((Table::of_found(&gaps_table(&folder)), said))
     })?;
-    let (scene, lines, said) = found.or_refused(py)?;
-    let said = [unusual(&lines), warnings(&lines), said].concat();
-    Ok((gaps(&scene, &lines), said))
-}
-
-/// The widths under a motion in one direction, the excesses of the motion over its model, and the implausible values.
-type Widths = MotionLine<(Vec<Separation>, Vec<Excess>, Vec<Implausible>)>;
-
-/// Warnings about the model behind the widths, one sentence per kind.
-fn warnings(lines: &[Widths]) -> Vec<String> {
-    let found = lines.iter().filter_map(|line| line.found.as_ref().ok());
-    let beyond = Excess::gathered(found.map(|(_, excesses, _)| excesses)).into_iter();
-    let beyond = beyond.filter(|one| one.kind.is_caution());
-    beyond.map(|one| one.to_string()).collect()
-}
-
-/// Implausible values, one sentence per kind.
-fn unusual(lines: &[Widths]) -> Vec<String> {
-    let found = lines.iter().filter_map(|line| Some((line, line.found.as_ref().ok()?)));
-    Implausible::lines(found.flat_map(|(line, (.., doubts))| {
-        let doubts = doubts.iter();
-        doubts.map(|doubt| (line.motion.as_str(), doubt))
-    }))
-}
-
-/// The widths as columns.
-fn gaps(scene: &Scene, lines: &[Widths]) -> Table {
-    let rows = || {
-        let found = lines.iter().filter_map(|line| Some((line, line.found.as_ref().ok()?)));
-        found.flat_map(|(line, (gaps, ..))| gaps.iter().map(move |gap| (line, gap)))
-    };
-    let name = |side: usize| {
-        let names = rows().map(|(_, gap)| scene.structures[gap.left + side].name().to_owned());
-        Column::texts(names)
-    };
-    let first = [
-        ("record", Column::texts(rows().map(|(line, _)| line.motion.clone()))),
-        ("event", Column::Counts(rows().map(|(line, _)| line.event as u64 + 1).collect())),
-        ("reversed", Column::Flags(rows().map(|(line, _)| line.reversed).collect())),
-        ("left", name(0)),
-        ("right", name(1)),
-        ("level", Column::Counts(rows().map(|(_, gap)| gap.at_level as u64).collect())),
-    ];
-    let names = rows().next().map(|(_, gap)| gap.numbers()).into_iter().flatten();
-    let columns = names.map(|(name, _)| {
-        let number = |gap: &Separation| gap.numbers().find(|(key, _)| *key == name);
-        let numbers = rows().map(|(_, gap)| number(gap).map(|(_, number)| number));
-        (name, Column::numbers(numbers))
-    });
-    Table::new(first.into_iter().chain(columns))
+    found.or_refused(py)
 }

@@ -2,7 +2,7 @@
 
 use std::io::ErrorKind;
 
-use pounding_text::{RefusalKind, Refusal, Refused};
+use pounding_text::{Refusal, RefusalKind, Refused};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 

@@ -9,6 +9,7 @@ use arrow_schema::{ArrowError, Schema};
 use pyo3::exceptions::{PyKeyError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::types::PyCapsule;
+use serde_json::Value;
 
 use crate::array::Array;
 
@@ -31,6 +32,18 @@ impl Column {
 
     pub(crate) fn texts(texts: impl IntoIterator<Item = String>) -> Self {
         Self::Texts(texts.into_iter().map(Some).collect())
+    }
+
+    /// A column of JSON values of one type.
+    fn of<'a>(values: impl Iterator<Item = &'a Value> + Clone) -> Self {
+        match values.clone().find(|value| !value.is_null()) {
+            Some(Value::Bool(_)) => Self::Flags(values.map(|value| value.as_bool().unwrap_or_default()).collect()),
+            Some(Value::String(_)) => Self::Texts(values.map(|value| value.as_str().map(String::from)).collect()),
+            Some(Value::Number(number)) if number.is_u64() => {
+                Self::Counts(values.map(|value| value.as_u64().unwrap_or_default()).collect())
+            }
+            _ => Self::numbers(values.map(Value::as_f64)),
+        }
     }
 
     fn len(&self) -> usize {
@@ -70,6 +83,15 @@ impl Table {
         Self {
             columns: columns.map(|(name, column)| (name.into(), column)).collect(),
         }
+    }
+
+    /// The rows of a table for programs that have no reason in the column `refused`, without that column.
+    pub(crate) fn of_found<Row>(table: &pounding_text::Table<'_, Row>) -> Self {
+        let rows = table.json();
+        let found = rows.as_array().into_iter().flatten().filter(|row| row["refused"].is_null());
+        let found: Vec<&Value> = found.collect();
+        let names = table.names().filter(|name| *name != "refused");
+        Self::new(names.map(|name| (name, Column::of(found.iter().map(|row| &row[name])))))
     }
 
     fn to_arrow(&self) -> Result<RecordBatch, ArrowError> {

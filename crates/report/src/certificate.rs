@@ -38,9 +38,8 @@ pub fn certificate(
         };
         format!("{}: {value} {}", fact.words, fact.unit)
     });
-    let answer = Answer::new()
-        .say(Where::Terminal, "Impact", vec![format!("a free impact, {calibration}")])
-        .say_as(Where::Terminal, Manner::Facts, "", said.collect());
+    let said = std::iter::once(format!("impact: free, {calibration}")).chain(said).collect();
+    let answer = Answer::new().say_as(Where::Terminal, Manner::Facts, "", said);
     let answer = facts.iter().fold(answer, |answer, fact| answer.fact(fact.key, said_json(fact)));
     let answer = if methods.is_empty() {
         answer

@@ -1,4 +1,4 @@
-//! What a command found, once: parts in the order in which they are read. A terminal, a page and programs render them.
+//! The answer of a command, once: parts in the order in which they are read. A terminal, a page and programs render them.
 
 use std::collections::BTreeMap;
 
@@ -7,7 +7,7 @@ use serde_json::Value;
 use crate::terminal::facts;
 use crate::{Grid, json_text, paragraph};
 
-/// In what an answer is printed.
+/// The form in which an answer is printed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Form {
     /// For people: the first screen.
@@ -87,6 +87,21 @@ pub struct Sentences {
     pub manner: Manner,
 }
 
+impl Sentences {
+    fn terminal(&self) -> String {
+        if self.manner != Manner::Facts {
+            return paragraph(self.label, &self.lines.join("\n"));
+        }
+        if self.label.is_empty() {
+            return facts(&self.lines);
+        }
+        // The first fact has the word for its name, as in `method: exact` under `Method`.
+        let name = format!("{}: ", self.label.to_lowercase());
+        let text = self.lines.join("\n");
+        paragraph(self.label, text.strip_prefix(&name).unwrap_or(&text))
+    }
+}
+
 /// A part of an answer.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Part {
@@ -104,7 +119,7 @@ pub enum Part {
     Markup(String),
 }
 
-/// What a command found.
+/// The answer of a command.
 #[derive(Default)]
 pub struct Answer<'a> {
     parts: Vec<(Where, Part)>,
@@ -237,8 +252,7 @@ impl<'a> Answer<'a> {
         };
         let shown = self.parts.iter().filter(|(place, _)| is_shown(*place));
         let texts = shown.filter_map(|(_, part)| match part {
-            Part::Words(words) if words.label.is_empty() && words.manner == Manner::Facts => Some(facts(&words.lines)),
-            Part::Words(words) => Some(paragraph(words.label, &words.lines.join("\n"))),
+            Part::Words(words) => Some(words.terminal()),
             Part::Table(grid) => Some(grid.terminal(details)),
             Part::Markup(text) => Some(text.clone()),
             Part::Heading(_) | Part::Appendix(_) | Part::Figure(_) => None,

@@ -16,7 +16,7 @@ pub struct Cell(Content);
 
 #[derive(Debug, Clone, Default, PartialEq)]
 enum Content {
-    /// There is nothing, or no finite number.
+    /// No value, or no finite number.
     #[default]
     Nothing,
     Text(String),
@@ -58,7 +58,7 @@ impl Cell {
         }
     }
 
-    /// The value in JSON: of a number all digits.
+    /// The value in JSON, with all digits of a number.
     pub fn json(self) -> Value {
         match self.0 {
             Content::Nothing => Value::Null,

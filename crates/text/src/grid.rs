@@ -2,10 +2,10 @@
 
 use crate::visible;
 
-/// What stands where there is no number.
+/// The cell of a number that does not exist.
 pub const NONE: &str = "–";
 
-/// What people read in a cell: a text, and perhaps another below it.
+/// A cell for people: a text, and perhaps another below it.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct Shown {
     /// The text.
@@ -132,7 +132,7 @@ impl Grid {
         }
     }
 
-    /// Returns the table with at most so many rows on the first screen.
+    /// Returns the table with at most this many rows on the first screen.
     #[must_use]
     pub fn most(self, most: usize) -> Self {
         Self { most, ..self }

@@ -43,7 +43,7 @@ struct People<'a, Row> {
 pub struct Table<'a, Row> {
     rows: Vec<Row>,
     columns: Vec<Column<'a, Row>>,
-    /// Acceleration of gravity, in parts of which people read accelerations \[m/s²\].
+    /// Acceleration of gravity \[m/s²\], the unit in which people read accelerations.
     gravity: f64,
 }
 
@@ -64,7 +64,7 @@ impl<'a, Row: 'a> Table<'a, Row> {
         }
     }
 
-    /// Returns the table with accelerations in parts of this one \[m/s²\], for the columns that follow.
+    /// Returns the table with this acceleration of gravity \[m/s²\], for the columns that follow.
     #[must_use]
     pub fn gravity(self, gravity: f64) -> Self {
         Self { gravity, ..self }
@@ -150,9 +150,14 @@ impl<'a, Row: 'a> Table<'a, Row> {
         self.columns.iter().filter_map(|column| Some((&**column.name.as_ref()?, column)))
     }
 
+    /// Names of the columns for programs.
+    pub fn names(&self) -> impl Iterator<Item = &str> {
+        self.named().map(|(name, _)| name)
+    }
+
     /// The table for programs as CSV: the names of its columns, and a line for each row.
     pub fn csv(&self) -> String {
-        let header: Vec<&str> = self.named().map(|(name, _)| name).collect();
+        let header: Vec<&str> = self.names().collect();
         let cells = |row| self.named().map(move |(_, column)| (column.cell)(row));
         csv_text(&header, self.rows.iter().map(cells))
     }
@@ -178,7 +183,7 @@ impl<'a, Row: 'a> Table<'a, Row> {
     }
 }
 
-/// Puts a value under a name, one with a dot into an object of its own.
+/// Puts a value under a name; a name with a dot leads into a nested object.
 fn put(all: &mut Map<String, Value>, name: &str, value: Value) {
     match name.split_once('.') {
         None => {

@@ -1,4 +1,4 @@
-//! Plain text of at most 80 columns; only a long path is longer. It steers no terminal, also if it goes to a file.
+//! Plain text of at most 80 columns; only a long path is longer. It has no letters that steer a terminal, also if it goes to a file.
 
 use crate::{Grid, Shown, visible};
 
@@ -11,7 +11,7 @@ const HEADING_LINES: usize = 2;
 /// Most columns of a cell of a table in blocks.
 const BLOCK_CELL: usize = 14;
 
-/// Lines with a word before the first; long lines are broken between words.
+/// Lines under a word, which precedes the first one; long lines are broken between words.
 pub fn paragraph(label: &str, text: &str) -> String {
     behind(label, LABEL, text)
 }
@@ -24,7 +24,7 @@ pub(crate) fn facts(lines: &[String]) -> String {
     facts.iter().map(fact).collect()
 }
 
-/// Lines that begin in a column, with a word before the first.
+/// Lines that begin in a column, under a word that precedes the first one.
 fn behind(label: &str, column: usize, text: &str) -> String {
     let broken: Vec<String> = visible(text).lines().flat_map(|line| broken(line, WIDTH - column)).collect();
     let indent = " ".repeat(column);
@@ -120,37 +120,77 @@ fn lines_of(row: &[Shown]) -> Vec<Vec<String>> {
     std::iter::once(texts).chain(has_below.then(|| below.collect())).collect()
 }
 
-/// Columns, the first to the left, the others to the right. A name for which the table would be too wide stands in lines of its own,
-/// above its numbers.
+/// Columns, the first to the left, the others to the right. If they are too wide, they stand closer, names stand in separate lines above their
+/// numbers, and long texts are broken between words.
 fn in_lines(names: &[Vec<String>], rows: &[Vec<String>]) -> String {
     let lines: Vec<&Vec<String>> = names.iter().chain(rows).collect();
     let n_columns = lines.first().map_or(0, |line| line.len());
     let width = |column: usize| lines.iter().map(|line| length(&line[column])).max().unwrap_or(0);
-    let widths: Vec<usize> = (0..n_columns).map(width).collect();
+    let mut widths: Vec<usize> = (0..n_columns).map(width).collect();
     let Some((names, numbers)) = widths.split_first() else {
         return String::new();
     };
-    let numbers: usize = numbers.iter().map(|width| width + 2).sum();
-    let first = (*names).min(WIDTH.saturating_sub(numbers).max(LABEL));
-    let print = |line: &Vec<String>| {
-        let others = line.iter().zip(&widths).skip(1);
-        let others: Vec<String> = others.map(|(cell, width)| format!("  {cell:>width$}")).collect();
-        let others = others.concat();
-        let (above, name) = if length(&line[0]) > first {
-            let blanks = line[0].chars().take_while(|letter| *letter == ' ').count();
-            let indent = " ".repeat(blanks);
-            let pieces = pieces(&line[0], WIDTH - blanks);
-            (format!("{indent}{}\n", pieces.join(&format!("\n{indent}"))), "")
-        } else {
-            (String::new(), line[0].as_str())
-        };
-        let line = format!("{name:first$}{others}");
-        if line.trim_end().is_empty() && !above.is_empty() {
-            return above;
-        }
-        format!("{above}{}\n", line.trim_end())
+    let numbers: usize = numbers.iter().sum();
+    let between = if names.min(&LABEL) + numbers + 2 * (n_columns - 1) > WIDTH {
+        1
+    } else {
+        2
     };
-    lines.into_iter().map(print).collect()
+    let numbers = numbers + between * (n_columns - 1);
+    let first = (*names).min(WIDTH.saturating_sub(numbers).max(LABEL));
+    let words = |column: usize| {
+        lines
+            .iter()
+            .flat_map(|line| line[column].split_whitespace().map(length))
+            .max()
+            .unwrap_or(0)
+    };
+    let mut excess = (first + numbers).saturating_sub(WIDTH);
+    while excess > 0 {
+        let least = |column: usize| words(column).max(BLOCK_CELL);
+        let breakable = (1..n_columns).filter(|column| least(*column) < widths[*column]);
+        let Some(column) = breakable.max_by_key(|column| widths[*column]) else {
+            break;
+        };
+        let narrow = widths[column].saturating_sub(excess).max(least(column));
+        excess -= widths[column] - narrow;
+        widths[column] = narrow;
+    }
+    widths[0] = first;
+    lines.into_iter().map(|line| printed(line, &widths, between)).collect()
+}
+
+/// A row of a table, in as many lines as its cells need in columns of these widths, with blanks between them.
+fn printed(row: &[String], widths: &[usize], between: usize) -> String {
+    let cells = row.iter().zip(widths).skip(1).map(|(cell, width)| {
+        let is_broken = length(cell) > *width;
+        if is_broken { broken(cell, *width) } else { vec![cell.clone()] }
+    });
+    let cells: Vec<Vec<String>> = cells.collect();
+    let first = widths[0];
+    let (above, name) = if length(&row[0]) > first {
+        let blanks = row[0].chars().take_while(|letter| *letter == ' ').count();
+        let indent = " ".repeat(blanks);
+        let pieces = pieces(&row[0], WIDTH - blanks);
+        (format!("{indent}{}\n", pieces.join(&format!("\n{indent}"))), "")
+    } else {
+        (String::new(), row[0].as_str())
+    };
+    let tallest = cells.iter().map(Vec::len).max().unwrap_or(1);
+    let line = |line: usize| {
+        let name = if line == 0 { name } else { "" };
+        let cells = cells.iter().zip(&widths[1..]).map(|(lines, width)| {
+            let width = width + between;
+            format!("{:>width$}", lines.get(line).map_or("", String::as_str))
+        });
+        let text = format!("{name:first$}{}", cells.collect::<String>());
+        format!("{}\n", text.trim_end())
+    };
+    let lines: String = (0..tallest).map(line).collect();
+    if lines.trim().is_empty() && !above.is_empty() {
+        return above;
+    }
+    format!("{above}{lines}")
 }
 
 /// Names to the left, and beside them as many columns as there is room for, their cells in as many lines as they need. The other columns
@@ -213,6 +253,21 @@ mod tests {
         left – right     12.3           3
           error         0.2 %
         and 1 more: --details
+        ");
+    }
+
+    /// Parameters of a contact law made a table wider than a terminal.
+    #[test]
+    fn issue_a_long_text_is_broken_between_words() {
+        let headings = [("Contact", ""), ("Gap", "mm"), ("Parameters", "")];
+        let text = "impact_damping_ratio = 0.3500, impact_stiffness_n_per_m1_5 = 2.750e9, and a third = 1";
+        let table = Grid::of(headings, vec![vec!["weak – stiff".into(), "30 ".into(), text.into()]]);
+        insta::assert_snapshot!(table.terminal(true), @r"
+        Contact     Gap                                                       Parameters
+                   [mm]
+        weak – stiff
+                    30      impact_damping_ratio = 0.3500, impact_stiffness_n_per_m1_5 =
+                                                                2.750e9, and a third = 1
         ");
     }
 

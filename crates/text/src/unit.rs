@@ -1,8 +1,8 @@
-//! Units of numbers, and what people read of them.
+//! Units of numbers, and their texts for people.
 
 use crate::{digits, instant, percent, rounded_up, short, two_decimals, two_digits};
 
-/// A unit, and in which one people read numbers of it.
+/// A unit, and the one in which people read its numbers.
 #[derive(Debug)]
 pub struct Unit {
     /// How names in files end.
@@ -11,9 +11,9 @@ pub struct Unit {
     pub symbol: &'static str,
     /// The unit that people read; empty if they read none.
     pub shown: &'static str,
-    /// How many of it people read for one, by the acceleration of gravity \[m/s²\].
+    /// How many of the units that people read are one SI unit, by the acceleration of gravity \[m/s²\].
     factor: fn(f64) -> f64,
-    /// What people read.
+    /// Makes the text for people.
     text: fn(f64) -> String,
 }
 
@@ -70,7 +70,7 @@ impl Unit {
         Self { text, ..self }
     }
 
-    /// What makes a text of a number in the unit that people read.
+    /// The function that makes a text of a number in the unit that people read.
     pub const fn reader(&self) -> fn(f64) -> String {
         self.text
     }

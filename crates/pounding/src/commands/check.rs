@@ -7,7 +7,7 @@ use std::path::PathBuf;
 use pounding::report::{method_facts, other_direction_exact, record_facts};
 use pounding::scene::{Columns, ContactLimit, Excess, FreeLimit, Implausible, MethodLimits, RunResult, Simulation, Structure};
 use pounding::solver::Opening;
-use pounding::text::{Answer, Form, Grid, NONE, Refused, Shown, Table, Where, digits, short};
+use pounding::text::{Answer, Form, Grid, Manner, NONE, Refused, Shown, Table, Where, digits, short};
 
 use crate::progress::Waiting;
 
@@ -127,8 +127,8 @@ fn answer<'a>(plan: &'a Plan<'_>) -> Answer<'a> {
     let mut answer = Answer::new()
         .say(Where::Terminal, "Unusual", unusual)
         .say(Where::Terminal, "Scene", vec![prepared.scene().name.clone()])
-        .say(Where::Terminal, "Record", record_facts(prepared))
-        .say(Where::Terminal, "Method", method_facts(prepared))
+        .say_as(Where::Terminal, Manner::Facts, "Record", record_facts(prepared))
+        .say_as(Where::Terminal, Manner::Facts, "Method", method_facts(prepared))
         .say(Where::Terminal, "Model", model_lines(plan))
         .table(Where::Terminal, structures(prepared));
     if let Some(expected) = &plan.expected {

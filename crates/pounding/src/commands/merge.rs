@@ -3,7 +3,6 @@
 use std::path::PathBuf;
 
 use pounding::sweep::{Parts, merge};
-use pounding::text::Answer;
 
 use super::Failure;
 use super::sweep::of_table;
@@ -46,5 +45,5 @@ pub(crate) fn run(args: &Arguments) -> Result<String, Failure> {
     let joined = merge(out, &folders, new_file::existing(args.overwrite));
     let joined = joined.map_err(|error| error.to_string())?;
     new_file::say_if_unlocked(joined.is_locked);
-    of_table(Answer::new(), &joined, out)
+    of_table(Vec::new(), &joined, out)
 }

@@ -6,14 +6,15 @@ mod task;
 
 use std::path::{Path, PathBuf};
 
+use pounding::report::said_briefly;
 use pounding::scene::Method;
 use pounding::sweep::{ColumnErrors, Parts, Shard, Sweep, SweepAccuracy, beside_table, summary_beside};
-use pounding::text::{Answer, Form, Refused, Where, digits, percent};
+use pounding::text::{Answer, Form, Manner, Refused, Where, digits, percent};
 
 pub(super) use joined::of_table;
 
 use super::Failure;
-use super::suite::{STOPPED, said_briefly, stop_when_asked};
+use super::suite::{STOPPED, stop_when_asked};
 use crate::progress::{Counter, Waiting};
 use crate::{new_file, say};
 
@@ -143,24 +144,32 @@ fn end(args: &Arguments, sweep: &Sweep, parts: Parts, out: &Path) -> Result<Stri
     let accuracy = sweep.accuracy().map(|accuracy| measured(accuracy, out)).transpose()?;
     let before = parts.n_runs_there();
     let before = (before > 0).then(|| format!("{before} runs were there already"));
-    let answer = Answer::new()
-        .say(
-            Where::Terminal,
-            "Unusual",
-            sweep.unusual().iter().map(ToString::to_string).collect(),
-        )
-        .say(Where::Terminal, "Sweep", vec![runs(sweep, &parts)])
-        .say(Where::Terminal, "Contact", sweep.says_of_contact())
-        .say(Where::Terminal, "Records", records.unwrap_or_default())
-        .say(Where::Terminal, "Accuracy", accuracy.into_iter().collect())
-        .say(Where::Terminal, "Before", before.into_iter().collect());
+    let mut facts = vec![
+        fact("Unusual", sweep.unusual().iter().map(ToString::to_string).collect()),
+        fact("Sweep", vec![runs(sweep, &parts)]),
+        fact("Contact", sweep.says_of_contact()),
+        fact("Records", records.unwrap_or_default()),
+        fact("Accuracy", accuracy.into_iter().collect()),
+        fact("Before", before.into_iter().collect()),
+    ];
     if !parts.shard().is_whole() {
         let folder = parts.folder().display();
         let text = format!("in {folder}; when all shards are done, `pounding merge` joins them");
-        return Ok(answer.say(Where::Terminal, "Parts", vec![text]).text(Form::Brief));
+        facts.push(fact("Parts", vec![text]));
+        return Ok(answer(facts).text(Form::Brief));
     }
     let joined = parts.join(new_file::existing(args.overwrite))?;
-    of_table(answer, &joined, out)
+    of_table(facts, &joined, out)
+}
+
+/// Sentences under a word; `None` if there are none.
+fn fact(word: &str, lines: Vec<String>) -> Option<String> {
+    (!lines.is_empty()).then(|| format!("{word}: {}", lines.join("\n")))
+}
+
+/// An answer that begins with facts.
+fn answer(facts: Vec<Option<String>>) -> Answer<'static> {
+    Answer::new().say_as(Where::Terminal, Manner::Facts, "", facts.into_iter().flatten().collect())
 }
 
 /// The table of a sweep by default: beside the sweep and with its whole name, so that no two sweeps share one.
@@ -173,7 +182,7 @@ fn beside(sweep: &Path) -> PathBuf {
 /// Says that an earlier process put the table in its place before it was ended.
 fn finished(out: &Path) -> String {
     let text = format!("{}: was finished already; what was left of its parts is gone", out.display());
-    Answer::new().say(Where::Terminal, "Results", vec![text]).text(Form::Brief)
+    answer(vec![fact("Results", vec![text])]).text(Form::Brief)
 }
 
 /// The number of runs.

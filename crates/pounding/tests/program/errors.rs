@@ -68,7 +68,7 @@ fn order_errors_fall_with_the_time_step() {
         let ended = run("order", &scene.to_string(), Some(&quiet(10)));
         let errors = paragraph(printed(&ended), "Errors").join(" ");
         let number = errors.split("the largest is ").nth(1).expect("a number");
-        let number = number.split(' ').next().expect("a number");
+        let number = number.split_whitespace().next().expect("a number");
         number.parse().expect("a number")
     };
     let (coarse, fine) = (largest(0.001), largest(0.0001));

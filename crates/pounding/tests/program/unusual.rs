@@ -203,7 +203,7 @@ contacts = [{ gap_m = 0.01, law.hertz.impact_stiffness_n_per_m1_5 = 2e9 }]
 fn issue_both_directions_are_judged() {
     let work = workplace("unusual_directions", BESIDE_A_WALL, false);
     let said = flat(&pounding(&work, &["run", "scene.toml"]));
-    let [first, second] = ["Answer reversed, worse for the buildings (tower: ", "as recorded (tower: "]
+    let [first, second] = ["Answer reversed, worse for the buildings (tower: ", "as given (tower: "]
         .map(|words| said.find(words).unwrap_or_else(|| panic!("{words}: {said}")));
     assert!(first < second, "{said}");
     assert!(!said.contains("Warnings none"), "{said}");

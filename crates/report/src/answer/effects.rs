@@ -4,11 +4,16 @@ use pounding_assess::{Effects, FloorEffects, Known};
 use pounding_scene::Simulation;
 use pounding_text::{Answer, Grid, Manner, Shown, Table, Where, digits, percent, short, two_decimals};
 
+use crate::page::sentence;
+
 /// The parts of an answer about effects: a table with a row for each direction of every storey.
 pub(super) fn parts<'a>(answer: Answer<'a>, prepared: &Simulation, effects: &Effects) -> Answer<'a> {
     if !effects.touch() {
         let why = prepared.floors().says_no_contact().unwrap_or(Effects::NOTHING_TOUCHES);
-        return answer.say(Where::Everywhere, "Effects", vec![format!("none: {why}")]);
+        let none = format!("none: {why}");
+        return answer
+            .say(Where::Page, "", vec![sentence(&none)])
+            .say(Where::Terminal, "Effects", vec![none]);
     }
     let notes = format!(
         "Peaks beside the neighbours, and as multiples of those of the same building alone, in both directions of shaking. ~ marks what moves \
@@ -30,7 +35,13 @@ pub(super) fn parts<'a>(answer: Answer<'a>, prepared: &Simulation, effects: &Eff
 fn table(prepared: &Simulation, effects: &Effects, full: bool) -> Grid {
     let floors = prepared.floors();
     let shown = floors.by_structure().filter(|floor| effects.concern(*floor));
-    let rows = shown.flat_map(|floor| effects.directions().map(|(direction, all)| (direction, &all[floor])));
+    let rows = shown.flat_map(|floor| {
+        let [(_, as_given), (other, reversed)] = effects.directions();
+        [
+            (as_given[floor].name.clone(), &as_given[floor]),
+            (format!("  {other}"), &reversed[floor]),
+        ]
+    });
     let known = move |known: &Known, factor: f64, words: fn(f64) -> String| {
         let mark = if known.is_robust() { "" } else { "~" };
         let range = format!("{} to {}", words(factor * known.low), words(factor * known.high));
@@ -38,7 +49,7 @@ fn table(prepared: &Simulation, effects: &Effects, full: bool) -> Grid {
         Shown::from(format!("{mark}{}", words(factor * known.value))).over(range)
     };
     let table = Table::of(rows)
-        .shown("Storey, direction", |(direction, floor)| format!("{}, {direction}", floor.name))
+        .shown("Storey, direction", |(name, _)| Shown::from(name.as_str()))
         .shown("Collisions", move |(_, floor)| known(&floor.collisions, 1.0, digits))
         .shown_in("kN·s", "Sum of impulses", move |(_, floor)| known(&floor.impulse_n_s, 1e-3, short));
     let responses = [("Drift", "mm", 1e3), ("Shear", "kN", 1e-3), ("Acceleration", "m/s²", 1.0)]

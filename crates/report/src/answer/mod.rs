@@ -12,7 +12,7 @@ pub use facts::{method_facts, record_facts};
 use pounding_scene::{Implausible, RunResult, Warning};
 use pounding_text::{Answer, Grid, Manner, Where};
 
-use crate::page::{BEFORE, UNUSUAL};
+use crate::page::{BEFORE, UNUSUAL, sentence};
 use crate::{InWords, Report, Summary};
 
 impl Report<'_> {
@@ -44,7 +44,8 @@ impl Report<'_> {
                 "Leaning",
                 tables::leaning(prepared, &review.outcome),
             )
-            .say(Where::Page, "", no_pairs(&summary))
+            .say(Where::Terminal, "Pairs", no_pairs(&summary))
+            .say(Where::Page, "", no_pairs(&summary).iter().map(|none| sentence(none)).collect())
             .figure("gaps")
             .heading_of("Collisions", tables::collisions(prepared, &review.outcome));
         let answer = match &self.effects {
@@ -70,6 +71,7 @@ impl Report<'_> {
             .heading("Scene")
             .say(Where::Details, "Scene", vec![summary.scene.name.clone()])
             .table(Where::Details, scene::structures(prepared))
+            .say_as(Where::Details, Manner::Soft, "Damping", scene::damping(&summary.scene))
             .table(Where::Details, scene::contacts(&summary.scene))
             .heading("Ground motion")
             .say_as(Where::Details, Manner::Facts, "Record", record_facts(prepared))
@@ -122,10 +124,10 @@ impl Report<'_> {
     }
 }
 
-/// The sentence of the page in place of an empty table of pairs.
+/// The sentence in place of an empty table of pairs.
 fn no_pairs(summary: &Summary) -> Vec<String> {
     let none = summary.pairs.is_empty();
-    none.then(|| "None: no contact is modelled.".into()).into_iter().collect()
+    none.then(|| "none: no contact is modelled".into()).into_iter().collect()
 }
 
 const MORE: &str = "--details prints every floor, the record, errors and work; --out FOLDER writes a report; `pounding explain WORD` says what a word means";

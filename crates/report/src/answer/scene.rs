@@ -33,12 +33,6 @@ impl Modelled<'_> {
             None => Shown::from(self.structure.name()).over(Some("fixed".into())),
         }
     }
-
-    fn damping(&self) -> Shown {
-        let shown = self.building(self.structure.damping_ratio());
-        let is_shown = !shown.text.is_empty();
-        shown.over(given(self.structure).filter(|_| is_shown))
-    }
 }
 
 /// A row for each floor, building by building from the ground up.
@@ -78,7 +72,7 @@ pub(super) fn structures(prepared: &Simulation) -> Grid {
             None => NONE.into(),
         })
         .shown_in("s", "Period", |one| one.building(one.structure.period()))
-        .shown("Damping ratio", Modelled::damping)
+        .shown("Damping ratio", |one| one.building(one.structure.damping_ratio()))
         .grid()
 }
 
@@ -110,7 +104,13 @@ fn shape(columns: &Columns) -> Option<String> {
     (!parts.is_empty()).then(|| parts.join(", "))
 }
 
-/// How the damping was given, where it is not the ratio that stands above.
+/// Sentences about damping that was not given as a ratio of one mode.
+pub(super) fn damping(scene: &Scene) -> Vec<String> {
+    let given = |structure: &Structure| Some(format!("{}: {}", structure.name(), given(structure)?));
+    scene.structures.iter().filter_map(given).collect()
+}
+
+/// How the damping was given, if not as a ratio of one mode.
 fn given(structure: &Structure) -> Option<String> {
     let (damping, storeys) = match structure {
         Structure::Sdof(sdof) => (sdof.damping, 1),

@@ -113,7 +113,7 @@ fn one() -> f64 {
 /// One thing that was read of a file.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub struct ReadingSummary {
-    /// What it is.
+    /// Kind of the reading, such as `component`.
     pub what: String,
     /// Line of the file, from 1; absent for a binary file and for what was declared.
     #[serde(default, skip_serializing_if = "Option::is_none")]

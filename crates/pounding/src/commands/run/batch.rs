@@ -6,12 +6,12 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
 use pounding::assess::{Distribution, Effects, MotionLine};
-use pounding::report::{FILES_OF_RECORDS, SCHEMA_VERSION, Site};
+use pounding::report::{FILES_OF_RECORDS, OfFolder, SCHEMA_VERSION, Site};
 use pounding::scene::{Error, Scene};
 use pounding::text::{Answer, Cell, Form, Grid, NONE, Refused, Shown, Table, Where, instant, percent, short, two_decimals};
 
 use super::Arguments;
-use crate::commands::suite::{self, OfFolder};
+use crate::commands::suite;
 use motion::{RunUnderMotion, between};
 
 /// The runs of a folder.

@@ -3,16 +3,16 @@
 use std::path::Path;
 
 use pounding::sweep::{Joined, summary_beside};
-use pounding::text::{Answer, Form, Refused, Where};
+use pounding::text::{Form, Refused};
 
-use super::summed;
+use super::{answer, fact, summed};
 use crate::commands::Failure;
 
-/// Returns the answer as text, with sentences about the table.
+/// Returns facts as text, with those about the table.
 ///
 /// # Errors
 /// Says that every run failed; the text is printed nevertheless.
-pub(in crate::commands) fn of_table(answer: Answer<'_>, joined: &Joined, out: &Path) -> Result<String, Failure> {
+pub(in crate::commands) fn of_table(mut facts: Vec<Option<String>>, joined: &Joined, out: &Path) -> Result<String, Failure> {
     let failed = match joined.failed {
         0 => "none failed".into(),
         failed if joined.has_rows => format!("{failed} failed: the last column says why"),
@@ -20,12 +20,17 @@ pub(in crate::commands) fn of_table(answer: Answer<'_>, joined: &Joined, out: &P
     };
     let rows = if joined.has_rows { "rows" } else { "runs summed up" };
     let text = format!("{}: {} {rows}, {failed}", out.display(), joined.runs);
-    let mut answer = answer.say(Where::Terminal, "Results", vec![text]);
-    if let Some(summary) = &joined.summary {
-        let beside = joined.has_rows.then(|| summary_beside(out).display().to_string());
-        answer = summed::parts(answer.say(Where::Terminal, "Summary", beside.into_iter().collect()), summary);
-    }
-    let printed = answer.text(Form::Brief);
+    facts.push(fact("Results", vec![text]));
+    let printed = match &joined.summary {
+        None => answer(facts),
+        Some(summary) => {
+            let beside = joined.has_rows.then(|| summary_beside(out).display().to_string());
+            facts.push(fact("Summary", beside.into_iter().collect()));
+            facts.extend(summed::facts(summary));
+            summed::tables(answer(facts), summary)
+        }
+    };
+    let printed = printed.text(Form::Brief);
     if joined.failed < joined.runs || joined.runs == 0 {
         return Ok(printed);
     }

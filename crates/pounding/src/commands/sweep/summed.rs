@@ -3,14 +3,16 @@
 use pounding::sweep::{Exceedance, SummaryTable, SummedCell, SummedColumn};
 use pounding::text::{Answer, Grid, Shown, Table, Where, plain, short};
 
+use super::fact;
+
 /// Most rows of a kind that are printed of all runs together.
 const MOST: usize = 12;
 /// Cells that are printed one by one, and rows of all their tables.
 const MOST_CELLS: usize = 40;
 const MOST_ROWS: usize = 40;
 
-/// Adds a few numbers of every column.
-pub(super) fn parts<'a>(answer: Answer<'a>, summary: &SummaryTable) -> Answer<'a> {
+/// The failures, the cells, and the columns without numbers.
+pub(super) fn facts(summary: &SummaryTable) -> [Option<String>; 3] {
     let failed = summary.first_failed().map(|(run, reason)| format!("run {run}: {reason}")).collect();
     let (n_cells, by) = (summary.n_cells(), summary.by());
     let cells = match n_cells {
@@ -22,14 +24,19 @@ pub(super) fn parts<'a>(answer: Answer<'a>, summary: &SummaryTable) -> Answer<'a
     };
     let without = summary.without_numbers();
     let without = (!without.is_empty()).then(|| format!("no run has {}", without.join(", ")));
-    let answer = answer
-        .say(Where::Terminal, "Failed", failed)
-        .say(Where::Terminal, "Cells", cells)
-        .say(Where::Terminal, "Without", without.into_iter().collect());
-    let (tables, left_out) = if (2..=MOST_CELLS).contains(&n_cells) {
-        of_cells(&by, &summary.cells())
+    [
+        fact("Failed", failed),
+        fact("Cells", cells),
+        fact("Without", without.into_iter().collect()),
+    ]
+}
+
+/// Adds a few numbers of every column.
+pub(super) fn tables<'a>(answer: Answer<'a>, summary: &SummaryTable) -> Answer<'a> {
+    let (tables, left_out) = if (2..=MOST_CELLS).contains(&summary.n_cells()) {
+        of_cells(&summary.by(), &summary.cells())
     } else {
-        of_columns(&summary.whole(), n_cells < 2)
+        of_columns(&summary.whole(), summary.n_cells() < 2)
     };
     let hint = if summary.has_whole_buildings() {
         ""

@@ -1,15 +1,13 @@
 //! A run of the scene under one motion of a folder, for tables, sentences and programs.
 
 use pounding::assess::{Effects, MotionLine};
-use pounding::report::{CollisionSummary, PairSummary, Site, SitedNumber, StructureSummary};
+use pounding::report::{CollisionSummary, MotionRow, PairSummary, Site, SitedNumber, StructureSummary, UnderMotion};
 use pounding::scene::{
     Errors, Excess, FloorQuantity, Floors, Implausible, PairOutcome, PairQuantity, Quantity, QuantityGroup, QuantityKind, Review, Scene,
     Simulation,
 };
 use pounding::text::NONE;
 use serde_json::{Value, json};
-
-use crate::commands::suite::{MotionRow, UnderMotion};
 
 /// A run under one motion in one direction.
 pub(super) struct RunUnderMotion {
