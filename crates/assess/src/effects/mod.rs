@@ -140,11 +140,6 @@ impl Effects {
         })
     }
 
-    /// Effects in both directions, with the names of the directions.
-    pub fn directions(&self) -> [(&'static str, &[FloorEffects]); 2] {
-        [("as given", &self.as_given), ("reversed", &self.reversed)]
-    }
-
     /// Whether there are effects on a floor; a wall has effects only if something hits it.
     pub fn concern(&self, floor: usize) -> bool {
         let both = [&self.as_given[floor], &self.reversed[floor]];

@@ -211,7 +211,7 @@ fn issue_both_directions_are_judged() {
     let mirrored = BESIDE_A_WALL.replace("record.gen", "record.reversed = true\nrecord.gen");
     fs::write(work.join("scene.toml"), mirrored).expect("it can be written");
     let said = flat(&pounding(&work, &["run", "scene.toml"]));
-    let first = "Answer reversed, as in the scene, worse for the buildings (tower: ";
+    let first = "Answer reversed, worse for the buildings (tower: ";
     assert!(said.contains(first), "{said}");
 }
 

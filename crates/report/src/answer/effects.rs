@@ -1,7 +1,7 @@
 //! The effects of pounding on every storey.
 
 use pounding_assess::{Effects, FloorEffects, Known};
-use pounding_scene::Simulation;
+use pounding_scene::{RecordUse, Simulation};
 use pounding_text::{Answer, Grid, Manner, Shown, Table, Where, digits, percent, short, two_decimals};
 
 use crate::page::sentence;
@@ -36,11 +36,9 @@ fn table(prepared: &Simulation, effects: &Effects, full: bool) -> Grid {
     let floors = prepared.floors();
     let shown = floors.by_structure().filter(|floor| effects.concern(*floor));
     let rows = shown.flat_map(|floor| {
-        let [(_, as_given), (other, reversed)] = effects.directions();
-        [
-            (as_given[floor].name.clone(), &as_given[floor]),
-            (format!("  {other}"), &reversed[floor]),
-        ]
+        let other = RecordUse::direction_of(!prepared.scene().record.reversed);
+        let (as_given, reversed) = (&effects.as_given[floor], &effects.reversed[floor]);
+        [(as_given.name.clone(), as_given), (format!("  {other}"), reversed)]
     });
     let known = move |known: &Known, factor: f64, words: fn(f64) -> String| {
         let mark = if known.is_robust() { "" } else { "~" };

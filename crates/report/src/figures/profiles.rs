@@ -2,7 +2,7 @@
 
 use super::{Known, fitting, unit};
 use pounding_plot::{Axis, Curve, CurveKind, Figure, Legend, Mark, Panel, Shade};
-use pounding_scene::{Floors, RunResult, Scene, Simulation};
+use pounding_scene::{Floors, RecordUse, RunResult, Scene, Simulation};
 
 /// More buildings than this do not fit side by side.
 pub(crate) const MOST: usize = 4;
@@ -20,7 +20,7 @@ pub(super) fn figure(prepared: &Simulation, outcome: &RunResult, known: Known<'_
     let panels = responses.iter().flat_map(|response| {
         let curves = shown
             .iter()
-            .map(|building| (*building, response.curves((prepared, *building), outcome, known)));
+            .map(|building| (*building, response.curves(prepared, *building, outcome, known)));
         let row = (prepared.scene(), prepared.floors());
         panels(row, &response.label, curves.collect())
     });
@@ -126,7 +126,7 @@ struct Response {
 }
 
 impl Response {
-    fn curves(&self, (prepared, building): (&Simulation, usize), outcome: &RunResult, known: Known<'_>) -> Vec<Curve> {
+    fn curves(&self, prepared: &Simulation, building: usize, outcome: &RunResult, known: Known<'_>) -> Vec<Curve> {
         let floors = prepared.floors().of_structure(building);
         let of = |result: &RunResult| over(floors, |floor| self.factor * (self.of)(result, floor));
         let mut curves = Vec::new();
@@ -142,13 +142,13 @@ impl Response {
         curves.push(
             Curve::new(CurveKind::Line, Shade::Blue, of(outcome))
                 .marked(Mark::Disc)
-                .named("as in the scene"),
+                .named(prepared.scene().record.direction()),
         );
         if let Some(other) = known.other {
             curves.push(
                 Curve::new(CurveKind::Line, Shade::Vermilion, of(other))
                     .marked(Mark::Square)
-                    .named("the other direction"),
+                    .named(RecordUse::direction_of(!prepared.scene().record.reversed)),
             );
         }
         curves
