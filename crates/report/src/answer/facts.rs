@@ -88,12 +88,18 @@ pub(super) fn histories(summary: &Summary, sampling: &str) -> Vec<String> {
 /// The errors, or why they are not known.
 pub(super) fn errors(prepared: &Simulation, review: &Review) -> Vec<String> {
     let said = match &review.errors {
-        Errors::Exact => match prepared.scene().method {
-            Method::Exact { tolerance, .. } if tolerance > 1e-16 => {
+        Errors::Exact => {
+            let tolerance = if let Method::Exact { tolerance, .. } = prepared.scene().method {
+                tolerance
+            } else {
+                0.0
+            };
+            if tolerance > 1e-16 {
                 format!("that of the tolerance, {tolerance:e} per piece in compliant contact")
+            } else {
+                "none beyond rounding: the method is exact".into()
             }
-            _ => "none beyond rounding: the method is exact".into(),
-        },
+        }
         Errors::Doubtful => "not known: the method is exact, but this run has gone wrong (see the warnings)".into(),
         Errors::NotMeasured => "not measured (--no-error)".into(),
         Errors::Unknown(reason) => format!("not known, the exact run fails: {reason}"),

@@ -12,7 +12,7 @@ pub(crate) fn html(answer: &Answer<'_>, mut figure: impl FnMut(&str) -> String) 
     let mut parts = parts.peekable();
     let mut page = String::new();
     while let Some(part) = parts.next() {
-        page += &match part {
+        let markup = match part {
             Part::Heading(text) => format!("<h2>{}</h2>\n", escaped(text)),
             Part::Appendix(text) => format!("<h2 class=\"appendix\">Appendix: {}</h2>\n", escaped(text)),
             Part::Words(words) => sentences(words),
@@ -26,6 +26,7 @@ pub(crate) fn html(answer: &Answer<'_>, mut figure: impl FnMut(&str) -> String) 
                 _ => figure(name),
             },
         };
+        page.push_str(&markup);
     }
     page
 }
