@@ -5,8 +5,8 @@ use std::path::PathBuf;
 use pounding_contact::{Calibration, LawName};
 use pounding_report::{OpenSees, OpenSeesError, Sketch, advice_answer, certificate};
 use pounding_scene::{
-    CertificateRequest, Effects, Error, Floors, FreeCollision, Goal, Method, QuantityGroup, Scene, SharedMotion, Simulation,
-    StepMethod, in_scene, usual_stiffness,
+    CertificateRequest, Effects, Error, Floors, FreeCollision, Goal, Method, QuantityGroup, Scene, SharedMotion, Simulation, StepMethod,
+    in_scene, usual_stiffness,
 };
 use pounding_text::{Form, Refused, json_text};
 use pyo3::prelude::*;

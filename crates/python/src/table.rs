@@ -39,7 +39,9 @@ impl Column {
         match values.clone().find(|value| !value.is_null()) {
             Some(Value::Bool(_)) => Self::Flags(values.map(|value| value.as_bool().unwrap_or_default()).collect()),
             Some(Value::String(_)) => Self::Texts(values.map(|value| value.as_str().map(String::from)).collect()),
-            Some(Value::Number(number)) if number.is_u64() => Self::Counts(values.map(|value| value.as_u64().unwrap_or_default()).collect()),
+            Some(Value::Number(number)) if number.is_u64() => {
+                Self::Counts(values.map(|value| value.as_u64().unwrap_or_default()).collect())
+            }
             _ => Self::numbers(values.map(Value::as_f64)),
         }
     }
