@@ -19,7 +19,7 @@ pub struct BothDirections {
     pub other: Option<RunResult>,
 }
 
-/// Drifts of two runs that differ by less are the same \[–\].
+/// Drifts of two runs that differ by less count as equal \[–\].
 const SAME: f64 = 1e-9;
 
 /// Runs the scene under the reversed record, by its own method.
@@ -39,7 +39,7 @@ pub fn other_direction_exact(prepared: &Simulation) -> Result<RunResult, Error> 
 }
 
 impl BothDirections {
-    /// Of a run, and the run in the other direction.
+    /// Compares a run and the run in the other direction.
     pub fn of(prepared: &Simulation, review: &Review, other: Result<RunResult, Error>) -> Self {
         let reversed = prepared.scene().record.reversed;
         let names = [reversed, !reversed].map(RecordUse::direction_of);
@@ -62,7 +62,7 @@ impl BothDirections {
     }
 }
 
-/// A sentence for each direction, the one that strains the buildings more first; where both strain them alike, the one that hits harder.
+/// A sentence for each direction, the one that strains the buildings more first; if both strain them alike, the one that hits harder.
 fn sentences(prepared: &Simulation, mut both: [(&str, &RunResult); 2]) -> [String; 2] {
     let strain = |result: &RunResult| {
         let strain = prepared.strain(result);

@@ -1,4 +1,4 @@
-//! `history.csv`: the motion of every structure and what is between neighbours, row by row in time.
+//! `history.csv`: the motion of every structure, and gaps and forces of every pair, row by row in time.
 
 use super::names::Names;
 use pounding_scene::{Floors, RunResult, Simulation};
@@ -15,7 +15,7 @@ pub(super) struct Motion<'a> {
 }
 
 impl<'a> Motion<'a> {
-    /// Of a run that kept its histories.
+    /// The table of a run that kept its histories.
     pub(super) fn of(prepared: &'a Simulation, travel: Option<&'a Travel>, outcome: &'a RunResult) -> Self {
         let kept = outcome.histories.as_ref();
         Self {
@@ -31,7 +31,7 @@ impl<'a> Motion<'a> {
         lengths.min().unwrap_or(0)
     }
 
-    /// The floors whose states they are.
+    /// The floors of these states.
     pub(super) fn floors(&self) -> &'a Floors {
         self.prepared.floors()
     }
@@ -139,7 +139,7 @@ pub(super) fn csv(prepared: &Simulation, motion: &Motion<'_>) -> String {
     let names = Names::of(floors);
     let moves = |index: &usize| !floors.all()[*index].is_wall();
     let columns: Vec<usize> = (0..floors.all().len()).filter(moves).collect();
-    // Not the pairs of the model, of which a full one has more.
+    // A full model has more pairs than the scene.
     let facing = floors.facing().iter().enumerate();
     let compliant: Vec<bool> = facing.map(|(pair, _)| prepared.pairs()[pair].law.is_compliant()).collect();
     let drifts: Vec<Option<Vec<f64>>> = (0..floors.all().len())

@@ -42,7 +42,7 @@ fn row(floors: &Floors, one: &Collision) -> [Cell; 11] {
     ]
 }
 
-/// The shortest digits that give the same number back: instants of bounces lie closer than any fixed number of them tells.
+/// The shortest digits that give the number back: a fixed number of digits could not tell instants of bounces apart.
 fn exact(value: impl Into<Option<f64>>) -> Cell {
     // A negative zero loses its sign.
     Cell::number(value, |value| format!("{:?}", value + 0.0))

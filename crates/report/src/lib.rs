@@ -146,12 +146,12 @@ impl<'a> Report<'a> {
         of_both.unwrap_or_else(|| self.review.notices())
     }
 
-    /// The run in the other direction than the scene's, where it is known.
+    /// The run in the other direction than the scene's, if it is known.
     fn other(&self) -> Option<&RunResult> {
         self.directions.as_ref()?.other.as_ref()
     }
 
-    /// The run with what is known of its errors.
+    /// The run with its errors, if they are known.
     pub fn review(&self) -> &Review {
         &self.review
     }
@@ -171,10 +171,10 @@ impl<'a> Report<'a> {
     /// |---|---|
     /// | `report.html` | everything, for people; it needs no other file |
     /// | `summary.json` | [`Summary`] |
-    /// | `history.csv` | motion and forces over time; accelerations are absolute, gaps what is open of them |
+    /// | `history.csv` | motion and forces over time; accelerations are absolute, gaps are open widths |
     /// | `impacts.csv` | a line per collision |
-    /// | `effects.csv` | what pounding does to every storey, where that was asked for |
-    /// | `animation.svg` | the buildings around the hardest collision, in slow motion; where something touches |
+    /// | `effects.csv` | effects of pounding on every storey, if asked for |
+    /// | `animation.svg` | the buildings around the hardest collision, in slow motion, if something touches |
     /// | `*.svg`, `*.png` | the figures of the report |
     pub fn files(&self) -> BTreeMap<String, Vec<u8>> {
         let (prepared, outcome) = (self.prepared, &self.review.outcome);

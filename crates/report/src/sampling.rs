@@ -19,7 +19,7 @@ pub(super) struct Sampling {
 }
 
 impl Sampling {
-    /// Of a run: its time steps, or else whole parts of the record's; more coarsely where that would be too many rows.
+    /// The sampling of a run: its time steps, or else whole parts of the record's; coarser if that would be too many rows.
     pub(super) fn of(prepared: &Simulation) -> Self {
         let duration = prepared.duration();
         if let Some(step) = prepared.method().time_step() {

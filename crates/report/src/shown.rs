@@ -1,4 +1,4 @@
-//! The numbers of a run for people: which of them stand in which table, and in what words.
+//! The numbers of a run for people: their tables and their words.
 
 use pounding_scene::{FloorQuantity, PairQuantity, Quantity, QuantityKind, Review, RunErrors, RunValues, Simulation};
 use pounding_text::{milliseconds, percent};
@@ -74,7 +74,7 @@ pub struct InWords<'a> {
 }
 
 impl<'a> InWords<'a> {
-    /// A run with what is known of its errors.
+    /// A run with its errors, if they are known.
     pub fn of(simulation: &'a Simulation, review: &'a Review) -> Self {
         Self {
             simulation,
@@ -127,7 +127,7 @@ impl<'a> InWords<'a> {
         self.errors.is_some()
     }
 
-    /// Of a number of a storey, the number of its floor that it is if the storey stands on the ground.
+    /// The number of the floor in place of that of its storey, if the storey stands on the ground.
     pub fn of_storey(&self, quantity: FloorQuantity, floor: usize) -> Quantity {
         Quantity::from(quantity).of_storey(self.simulation.floors().all()[floor].is_upper())
     }

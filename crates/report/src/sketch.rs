@@ -11,7 +11,7 @@ pub(super) const CAPTION: &str = "The row: heights to scale, storeys without a h
 
 /// Largest height on paper \[mm\].
 const TALL: f64 = 60.0;
-/// Width of a building, and of what lies between two \[mm\].
+/// Width of a building, and of the space between two \[mm\].
 const WIDE: f64 = 26.0;
 const BETWEEN: f64 = 14.0;
 /// Ground, and the margin above the highest roof \[mm\].

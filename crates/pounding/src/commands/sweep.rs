@@ -145,17 +145,17 @@ fn end(args: &Arguments, sweep: &Sweep, parts: Parts, out: &Path) -> Result<Stri
     let before = parts.n_runs_there();
     let before = (before > 0).then(|| format!("{before} runs were there already"));
     let mut facts = vec![
-        fact("Unusual", sweep.unusual().iter().map(ToString::to_string).collect()),
-        fact("Sweep", vec![runs(sweep, &parts)]),
+        fact("Unusual", sweep.unusual().iter().map(ToString::to_string)),
+        fact("Sweep", [runs(sweep, &parts)]),
         fact("Contact", sweep.says_of_contact()),
         fact("Records", records.unwrap_or_default()),
-        fact("Accuracy", accuracy.into_iter().collect()),
-        fact("Before", before.into_iter().collect()),
+        fact("Accuracy", accuracy),
+        fact("Before", before),
     ];
     if !parts.shard().is_whole() {
         let folder = parts.folder().display();
         let text = format!("in {folder}; when all shards are done, `pounding merge` joins them");
-        facts.push(fact("Parts", vec![text]));
+        facts.push(fact("Parts", [text]));
         return Ok(answer(facts).text(Form::Brief));
     }
     let joined = parts.join(new_file::existing(args.overwrite))?;
@@ -163,7 +163,8 @@ fn end(args: &Arguments, sweep: &Sweep, parts: Parts, out: &Path) -> Result<Stri
 }
 
 /// Sentences under a word; `None` if there are none.
-fn fact(word: &str, lines: Vec<String>) -> Option<String> {
+fn fact(word: &str, lines: impl IntoIterator<Item = String>) -> Option<String> {
+    let lines: Vec<String> = lines.into_iter().collect();
     (!lines.is_empty()).then(|| format!("{word}: {}", lines.join("\n")))
 }
 
@@ -182,7 +183,7 @@ fn beside(sweep: &Path) -> PathBuf {
 /// Says that an earlier process put the table in its place before it was ended.
 fn finished(out: &Path) -> String {
     let text = format!("{}: was finished already; what was left of its parts is gone", out.display());
-    answer(vec![fact("Results", vec![text])]).text(Form::Brief)
+    answer(vec![fact("Results", [text])]).text(Form::Brief)
 }
 
 /// The number of runs.

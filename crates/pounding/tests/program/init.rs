@@ -163,7 +163,7 @@ fn issue_a_scene_in_json_is_json() {
     assert_eq!(run("own.json"), run("own.toml"));
     let asked = pounding(&folder, &["init", "asks.json", "--record", "records/column.txt"]);
     assert_snapshot!(printed(&asked), @r#"
-    wrote asks.json
+    Wrote     asks.json
 
     Record    it needs `time_step_s` (the file does not say it) and `unit` (the file
               does not say it): add to "record" in asks.json, for example,

@@ -139,8 +139,8 @@ fn issue_a_converted_csv_is_a_header_and_numbers() {
     let folder = folder_with("motion_bare", &["usgs.smc"]);
     let ended = motion(&folder, &["convert", "usgs.smc", "out.csv", "--to", "g"]);
     assert_snapshot!(printed(&ended), @r"
-    wrote out.csv: 21 samples, 0.01 s apart, peak -0.71842 m/s² at 0.01 s
-    wrote out.provenance.json: where they come from
+    Wrote     out.csv: 21 samples, 0.01 s apart, peak -0.71842 m/s² at 0.01 s
+              out.provenance.json: where they come from
     ");
     let text = fs::read_to_string(folder.join("out.csv")).expect("written");
     let mut lines = text.lines();
@@ -207,10 +207,10 @@ fn issue_components_are_listed_with_unit_and_time_of_peak() {
     File      csmip.v2
     Format    CSMIP V2
 
-    Component       Samples   Step   Unit      PGA     at       PGV    D5–95
-                               [s]             [g]    [s]     [m/s]      [s]
-    Chan 1: 90 Deg       20  0.005  cm/s²  0.09048  0.005  0.007727  0.07249
-    Chan 2: Up           19  0.005  cm/s²  0.04395      0  0.002305  0.07025
+    Component        Unit  Samples   Step      PGA     at       PGV    D5–95
+                                      [s]      [g]    [s]     [m/s]      [s]
+    Chan 1: 90 Deg  cm/s²       20  0.005  0.09048  0.005  0.007727  0.07249
+    Chan 2: Up      cm/s²       19  0.005  0.04395      0  0.002305  0.07025
 
     Records   1 file: 1 motion of 1 event, 1 component of used files left out
               1 vertical component, by the name in the file: csmip.v2 Chan 2: Up

@@ -161,7 +161,7 @@ impl Stage {
         );
     }
 
-    /// The top of a wall: where the highest floor is that can touch it.
+    /// The top of a wall: the height of the highest floor that can touch it.
     fn wall(&self, film: &Film<'_>, own: &[usize]) -> f64 {
         let pairs = film.floors().facing().iter();
         let faced = pairs.filter_map(|pair| match (own.contains(&pair.left), own.contains(&pair.right)) {

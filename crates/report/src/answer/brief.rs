@@ -1,4 +1,4 @@
-//! What matters of a run, on one screen: where it touches hardest, and the worst of every building.
+//! The first screen of a run: the hardest touches, and the worst numbers of every building.
 
 use pounding_scene::{Errors, FloorQuantity, QuantityGroup, Review, RunResult, Simulation};
 use pounding_text::{Grid, Shown, Table, digits, percent, short};
@@ -8,7 +8,7 @@ use crate::{Blow, InWords};
 /// Pairs that are shown on the first screen; the others are counted.
 const MOST: usize = 6;
 
-/// The scene, its record and method, and what is known of the errors, in a line each.
+/// The scene, its record and method, and the errors, in a line each.
 pub(super) fn scene(prepared: &Simulation, review: &Review) -> Vec<String> {
     let scene = prepared.scene();
     let method = match scene.method.name().replace('_', " ") {
@@ -65,7 +65,7 @@ pub(super) fn pairs(prepared: &Simulation, outcome: &RunResult) -> Grid {
         .most(MOST)
 }
 
-/// How many pairs never touch, where others do.
+/// How many pairs never touch, if others do.
 pub(super) fn apart(prepared: &Simulation, outcome: &RunResult) -> Vec<String> {
     let (all, touching) = (prepared.pairs().len(), Blow::all(outcome).len());
     match (touching, all - touching) {

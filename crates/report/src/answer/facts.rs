@@ -6,10 +6,10 @@ use pounding_text::{digits, percent, short};
 
 use crate::summary::{RecordSummary, Summary};
 
-/// Energies below this part of what they are measured by are none.
+/// Energies below this part of the scale are rounding.
 const ROUNDING: f64 = 1e-12;
 
-/// The ground motion: what it is, what was read of its file, and what was done to it.
+/// The ground motion: its source, the readings of its file, and its processing.
 pub fn record_facts(prepared: &Simulation) -> Vec<String> {
     let (one, used) = (RecordSummary::of(prepared), &prepared.scene().record);
     let gravity = used.gravity_m_per_s2;

@@ -16,7 +16,7 @@ use crate::page::{BEFORE, UNUSUAL, sentence};
 use crate::{InWords, Report, Summary};
 
 impl Report<'_> {
-    /// The answer: whether they touch, how hard, what it does to the buildings, and how sure that is. Its JSON is the
+    /// The answer: whether structures touch, how hard, the effects on the buildings, and how sure these are. Its JSON is the
     /// [`Summary`].
     pub fn answer(&self) -> Answer<'_> {
         let (prepared, review) = (self.prepared, self.review());

@@ -3,7 +3,7 @@
 use pounding_scene::{Columns, Contact, Damping, Floor, Scene, Simulation, StoreyProperties, Structure};
 use pounding_text::{Grid, NONE, Shown, Table, digits, short};
 
-/// A floor of a structure and what it is made of; a wall has neither.
+/// A floor of a structure and its properties; a wall has neither.
 #[derive(Clone, Copy)]
 struct Modelled<'a> {
     structure: &'a Structure,
@@ -76,7 +76,7 @@ pub(super) fn structures(prepared: &Simulation) -> Grid {
         .grid()
 }
 
-/// How a floor starts, where it is not at rest.
+/// How a floor starts, if it is not at rest.
 fn start(displacement: f64, velocity: f64) -> Option<String> {
     (displacement != 0.0 || velocity != 0.0).then(|| {
         let (displacement, velocity) = (digits(1e3 * displacement), digits(velocity));

@@ -24,7 +24,7 @@ pub(super) fn manner(summary: &Summary) -> Manner {
     }
 }
 
-/// The answer, what it rests on, and how sure it is.
+/// The answer, its assumptions, and how sure it is.
 pub(super) fn lines(summary: &Summary, review: &Review) -> Vec<String> {
     let (touching, exact) = (touching(summary), exact_collisions(summary));
     let mut lines = if touching.is_empty() {

@@ -1,4 +1,4 @@
-//! What an assessment found, once, for the terminal, the page and programs.
+//! The answer of an assessment, once, for the terminal, the page and programs.
 
 use pounding_assess::TargetFit;
 use pounding_text::{Answer, Manner, Where};
@@ -10,7 +10,7 @@ use crate::SCHEMA_VERSION;
 use crate::page::{BEFORE, UNUSUAL, sentence};
 
 impl AssessmentReport {
-    /// The answer: the gaps, what touching does, and how sure that is. Its CSV has a line for each number \[SI\]: record, reversed, building,
+    /// The answer: the gaps, the effects of touching, and how sure these are. Its CSV has a line for each number \[SI\]: record, reversed, building,
     /// floor, neighbour, quantity, value.
     pub fn answer(&self) -> Answer<'_> {
         let unusual = self.unusual().iter().map(ToString::to_string).collect();

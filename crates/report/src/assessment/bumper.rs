@@ -26,7 +26,7 @@ fn both(of: &Distribution) -> String {
 }
 
 impl AssessmentReport {
-    /// What bumpers change; `None` if nothing touches or none were asked for.
+    /// The effects of bumpers; `None` if nothing touches or none were asked for.
     pub fn bumpers(&self) -> Option<&BumperEffect> {
         self.bumper.as_ref()
     }
@@ -48,7 +48,7 @@ impl AssessmentReport {
         })
     }
 
-    /// What bumpers at the given gaps change, in sentences; nothing without bumpers.
+    /// Sentences about the effects of bumpers at the given gaps; empty without bumpers.
     pub fn bumper_says(&self) -> Vec<String> {
         let Some(effect) = &self.bumper else {
             return Vec::new();
@@ -73,7 +73,7 @@ impl AssessmentReport {
             )
         };
         let bumpers = format!("Bumpers at the given gap ({}{why})", bumpers.join("; "));
-        // Then what is behind them hits, which no run knows.
+        // Then the floors behind them hit, which no run models.
         if effect.is_too_thin() {
             return vec![format!(
                 "{bumpers} are compressed by more than their thickness in {} of {} runs: what is behind them then hits, which is left out, \

@@ -89,7 +89,7 @@ fn share(report: &AssessmentReport) -> Figure {
     let all = &report.assessment.gaps;
     let gaps = &all[..all.len().min(MOST_GAPS)];
     let widest = gaps.iter().map(|gap| gap.required.largest().max(gap.own.unwrap_or(0.0)));
-    // Beyond what every run needs, so that the curves are seen to end on the axis.
+    // Wider than every run needs, so that the curves visibly end on the axis.
     let end = 1e3 * 1.05 * widest.fold(GapAssessment::BUILT_IN_STEPS_OF, f64::max);
     let panel = |gap: &GapAssessment| {
         let [left, right] = report.gap_names(gap);

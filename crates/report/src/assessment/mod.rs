@@ -50,7 +50,7 @@ pub struct FolderOfMotions {
     pub missing: Option<String>,
     /// Files, motions and events, counted.
     pub counts: String,
-    /// What shakes nothing, for machines.
+    /// Files that shake nothing, for programs.
     pub left_out: Value,
     /// Sentences about failures, files that are left out, and declarations.
     pub remarks: Vec<String>,
@@ -111,7 +111,7 @@ const TABLE: &str = "assess.csv";
 pub(crate) const JSON: &str = "assess.json";
 
 impl AssessmentReport {
-    /// Of a scene under these motions; `None` without one.
+    /// Assesses a scene under these motions; `None` without a motion.
     ///
     /// # Errors
     /// Those of [`Floors::of`].
@@ -168,7 +168,7 @@ impl AssessmentReport {
         Self { animation, ..self }
     }
 
-    /// With what became of the folder of records.
+    /// Returns the report with the motions of the folder that were used or left out.
     #[must_use]
     pub fn with_folder(self, folder: FolderOfMotions) -> Self {
         Self { folder, ..self }
@@ -180,7 +180,7 @@ impl AssessmentReport {
         Self { stiffness, ..self }
     }
 
-    /// With what records were scaled to.
+    /// Returns the report with the target of scaling.
     #[must_use]
     pub fn with_scaling(self, scaling: ScalingAsked) -> Self {
         let fit = match &scaling.to {
@@ -241,7 +241,7 @@ impl AssessmentReport {
         self.stiffness
     }
 
-    /// Says what is left out of the folder, what was declared, and whose direction nothing tells.
+    /// Names files that are left out, declarations, and records of unknown direction.
     pub fn remarks(&self) -> &[String] {
         &self.folder.remarks
     }

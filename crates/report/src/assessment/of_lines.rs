@@ -19,7 +19,7 @@ impl FolderOfMotions {
 }
 
 impl AssessmentReport {
-    /// Of a scene under the motions of a folder, with what became of each; `None` if no run was finished.
+    /// Assesses a scene under the motions of a folder; `None` if no run was finished.
     ///
     /// # Errors
     /// Those of [`Self::of`].

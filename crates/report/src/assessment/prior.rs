@@ -66,7 +66,7 @@ impl AssessmentReport {
         drawn.into_iter().filter_map(of).collect()
     }
 
-    /// The width beside an unknown neighbour with its probability, in sentences; nothing if all are known.
+    /// The width beside an unknown neighbour with its probability, in sentences; empty if all are known.
     pub fn prior(&self) -> Vec<String> {
         let (Some(unknown), Some(gap)) = (self.unknown(), self.gap_beside_unknown()) else {
             return Vec::new();

@@ -46,7 +46,7 @@ pub(super) fn figure(report: &AssessmentReport) -> Option<Figure> {
     })
 }
 
-/// What a row of panels shows, and what brings it to the unit of its axis.
+/// The quantity of a row of panels, and the factor to the unit of its axis.
 struct Response {
     label: String,
     of: fn(&FloorPeaks) -> f64,

@@ -36,20 +36,20 @@ impl AssessmentReport {
         format!("{} of {}", number(motions, "component"), number(events, "event"))
     }
 
-    /// The answer in full: what it leaves out and rests on, the gaps, what is proposed, and what touching does.
+    /// The answer in full: missing records and doubtful assumptions, the gaps, the proposals, and the effects of touching.
     pub fn sentences(&self) -> Vec<String> {
         let answers = self.before().into_iter().chain(self.answers());
         let more = self.proposals().into_iter().chain(self.consequences());
         answers.chain(more).collect()
     }
 
-    /// Says before the answer how many records of the folder may be missing in it, and what it rests on and should not.
+    /// Sentences before the answer: how many records of the folder may be missing, and doubtful assumptions.
     pub fn before(&self) -> Vec<String> {
         let missing = self.folder.missing.clone();
         missing.into_iter().chain(self.cautions()).collect()
     }
 
-    /// The motions in a few lines: how many, of how many events, and how strong they are beside what was asked for.
+    /// The motions in a few lines: how many, of how many events, and how strong they are compared with the target.
     pub fn shaking(&self) -> Vec<String> {
         let neighbours = match self.neighbours().len() {
             0 => String::new(),
@@ -109,7 +109,7 @@ impl AssessmentReport {
         answers.chain(self.prior()).collect()
     }
 
-    /// Whether a gap is enough for floors that face floors, and what those beside columns may need.
+    /// Whether a gap is enough for floors that face floors, and the width that floors beside columns may need.
     fn answer_of(&self, gap: &GapAssessment) -> String {
         let answer = self.answer_of_floors(gap);
         gap.beside_columns.map_or(answer.clone(), |width| {
@@ -263,7 +263,7 @@ struct Worst<'f> {
 }
 
 impl<'f> Worst<'f> {
-    /// Of drift and shear force the one that grows most where it gets worse, else the acceleration.
+    /// The response that grows most: drift or shear force if they get worse, else the acceleration.
     fn of(floor: &'f FloorAssessment) -> Self {
         let (what, ratio) = if floor.drift.p84() >= floor.shear.p84() {
             ("drift", &floor.drift)

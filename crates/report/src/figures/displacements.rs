@@ -1,4 +1,4 @@
-//! Displacements of the row above, what its collisions do below.
+//! Displacements of the row above, its collisions below.
 
 mod pairs;
 
@@ -55,7 +55,7 @@ pub(super) fn figure(seen: &Seen<'_>) -> (Figure, String) {
     let caption = caption(seen, &panels, markers.is_empty());
     for (index, panel) in panels.iter_mut().enumerate() {
         panel.markers = if storeys {
-            // Of a pair its own; the stems mark themselves.
+            // A pair has its own marks; stems mark themselves.
             let pair = seen.shown.panels.get(index..=index).unwrap_or_default();
             sparse_markers(seen.collisions(pair).map(|one| one.start).collect())
         } else {
@@ -100,7 +100,7 @@ fn caption(seen: &Seen<'_>, panels: &[Panel], unmarked: bool) -> String {
     )
 }
 
-/// What curves that meet say of the structures: where bases move, not that they touch.
+/// The meaning of curves that meet: if bases move, structures whose curves meet need not touch.
 fn meaning(prepared: &Simulation, face: bool) -> &'static str {
     if !face {
         "."

@@ -86,7 +86,7 @@ pub(crate) fn borders(structures: impl Iterator<Item = usize>) -> Vec<f64> {
     ends.map(|(index, _)| index as f64 + 0.5).collect()
 }
 
-/// The line at 1 through so many storeys, at which pounding changes nothing.
+/// The line at 1 through all storeys, at which pounding changes nothing.
 pub(crate) fn as_alone(storeys: usize) -> Curve {
     let ends = vec![(1.0, -0.5), (1.0, storeys as f64 - 0.5)];
     Curve::new(CurveKind::Dashed, Shade::Ink, ends)

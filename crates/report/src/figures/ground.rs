@@ -1,4 +1,4 @@
-//! The ground motion, and what it does to structures of all periods.
+//! The ground motion, and its response spectrum.
 
 use super::thin::thinned;
 use super::{Seen, around, brief, fitting, heights};

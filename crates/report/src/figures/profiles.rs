@@ -1,4 +1,4 @@
-//! Peak drift and shear force over the height of every building, in both directions of shaking, and of the building alone where that is known.
+//! Peak drift and shear force over the height of every building, in both directions of shaking, and of the building alone if that is known.
 
 use super::{Known, fitting, unit};
 use pounding_plot::{Axis, Curve, CurveKind, Figure, Legend, Mark, Panel, Shade};
@@ -102,7 +102,7 @@ fn responses(prepared: &Simulation, outcome: &RunResult) -> [Response; 2] {
     ]
 }
 
-/// Storeys from the ground up; each has its name where there is room.
+/// Storeys from the ground up; each has its name if there is room.
 fn storeys(n: usize) -> Axis {
     let names = (1..=n).rev().map(|storey| storey.to_string());
     Axis {
@@ -118,7 +118,7 @@ fn storeys(n: usize) -> Axis {
 /// What a row of panels shows.
 struct Response {
     label: String,
-    /// Of a run and a floor, in the unit of the axis divided by the factor.
+    /// The number of a run and a floor, in the unit of the axis divided by the factor.
     of: fn(&RunResult, usize) -> f64,
     /// Its place among the responses of effects.
     alone: usize,

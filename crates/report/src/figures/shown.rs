@@ -22,7 +22,7 @@ pub(super) struct Selection {
 }
 
 impl Selection {
-    /// Of the floors of a scene with these pairs: the pairs that are hit hardest, then those that come closest to touching.
+    /// Selects from the floors of a scene with these pairs: the pairs that are hit hardest, then those that come closest to touching.
     pub(super) fn of(prepared: &Simulation, all_pairs: &[PairSummary]) -> Self {
         let floors = prepared.floors();
         let all: Vec<usize> = (0..floors.all().len()).filter(|floor| drawn(floors, *floor) == *floor).collect();
@@ -121,7 +121,7 @@ mod tests {
         let (far, near) = (pair(None, 0.0, 0.008), pair(None, 0.0, 0.002));
         let all = [far, leaning, near, hit];
         assert_eq!(ranked(&all), [3, 1, 2, 0]);
-        // Where an impact has no force, impulses are what all have.
+        // If an impact has no force, all pairs still have impulses.
         let [far, leaning, near, hit] = all;
         let impulsive = pair(None, 1e6, 0.0);
         assert_eq!(ranked(&[far, leaning, near, hit, impulsive]), [1, 4, 3, 2, 0]);

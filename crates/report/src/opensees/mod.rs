@@ -1,4 +1,4 @@
-//! A scene as a script for OpenSeesPy, so that anyone can check these programs by each other.
+//! A scene as a script for OpenSeesPy, so that anyone can compare both programs.
 
 mod material;
 mod row;

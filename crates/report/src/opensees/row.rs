@@ -1,4 +1,4 @@
-//! The row of a scene as OpenSees has it: floors with what holds them, and the pairs that can touch.
+//! The row of a scene for OpenSees: floors, their columns, and the pairs that can touch.
 
 use pounding_scene::{Columns, Floors, Simulation, StoreyProperties};
 use pounding_solver::OnRow;
@@ -13,7 +13,7 @@ pub(super) struct ColumnMaterial {
 /// A floor and the storey below it.
 pub(super) struct ScriptFloor {
     pub(super) mass: f64,
-    /// The floor below, by its place in the row; nothing on the ground.
+    /// The floor below, by its place in the row; `None` on the ground.
     pub(super) below: Option<usize>,
     pub(super) column: ColumnMaterial,
     /// Damping of the storey, and of the floor against the ground \[N·s/m\].

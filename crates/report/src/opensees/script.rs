@@ -17,11 +17,11 @@ pub(super) struct Contents<'a> {
     pub(super) materials: Vec<Material>,
     /// What the exact method finds.
     pub(super) exact: &'a RunResult,
-    /// Time step where the script is run without one \[s\].
+    /// Default time step of the script \[s\].
     pub(super) time_step: f64,
 }
 
-/// What follows the numbers; the same for every scene.
+/// The part of the script after the numbers, equal for every scene.
 const PROGRAM: &str = include_str!("opensees.py");
 
 /// Samples of the ground motion in a line.

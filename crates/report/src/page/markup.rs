@@ -18,7 +18,7 @@ pub(crate) fn signed(number: &str) -> String {
     }
 }
 
-/// Text that cannot be taken for markup, and steers nothing; what XML cannot hold even then is left out.
+/// Text that cannot be taken for markup, without letters that steer a terminal; letters that XML cannot hold are left out.
 pub(crate) fn escaped(text: &str) -> String {
     let mut safe = String::with_capacity(text.len());
     for letter in pounding_text::visible(text).chars() {
@@ -35,7 +35,7 @@ pub(crate) fn escaped(text: &str) -> String {
     safe
 }
 
-/// A table of two columns: what it is, and what it is here.
+/// A table of two columns: a name and its value.
 pub(crate) fn facts(facts: &[(String, String)]) -> String {
     let row = |(what, value): &(String, String)| format!("<tr><td>{}</td><td>{}</td></tr>\n", escaped(what), escaped(value));
     let rows: String = facts.iter().map(row).collect();

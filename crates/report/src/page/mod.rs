@@ -1,4 +1,4 @@
-//! `report.html`: one file that a person forwards; it shows the same without a network, and on paper.
+//! `report.html`: one file that a person forwards; it needs no network, and can be printed.
 
 pub(crate) mod answer;
 pub(crate) mod markup;
@@ -12,10 +12,10 @@ use super::Report;
 use super::figures::Illustration;
 use super::summary::Summary;
 
-/// Above what to know before the numbers are used.
+/// Title of the warnings.
 pub(crate) const BEFORE: &str = "Before the numbers are believed";
 
-/// Above what looks wrong in a scene and its records.
+/// Title of the unusual values of a scene and its records.
 pub(crate) const UNUSUAL: &str = "Unusual: check this first";
 
 /// A few words as a sentence.
@@ -57,7 +57,7 @@ impl<'a> Numbered<'a> {
         Self { all, shown: 0 }
     }
 
-    /// The figure of a name with its caption; nothing if there is none.
+    /// The figure of a name with its caption; empty if there is none.
     pub(crate) fn figure(&mut self, name: &str) -> String {
         let found = self.all.iter().find(|one| one.name == name);
         found.map_or_else(String::new, |one| {
@@ -95,7 +95,7 @@ fn quoted(text: &str) -> String {
     quoted
 }
 
-/// A picture with what is said beside it on paper, and below it on screens.
+/// A picture with sentences: beside it on paper, and below it on screens.
 pub(crate) fn beside(parts: &[String]) -> String {
     format!("<div class=\"beside\">\n{}</div>\n", parts.concat())
 }
@@ -180,7 +180,7 @@ fn inline(svg: &str, caption: &str) -> String {
     format!("<svg{size} role=\"img\" aria-label=\"{}\">{}", escaped(caption), body.trim_end())
 }
 
-/// How to get the same again.
+/// How to make the report again.
 fn again(summary: &Summary) -> String {
     let scene = serde_json::to_string_pretty(&summary.scene).unwrap_or_default();
     let record = match (&summary.record.file, &summary.record.sha256) {

@@ -1,4 +1,4 @@
-//! `summary.json`: what was run, what came out and how far to believe it, for machines.
+//! `summary.json`: a run, its results and their errors, for programs.
 
 mod numbers;
 mod of_run;
@@ -15,7 +15,7 @@ use pounding_scene::{Implausible, Scene};
 /// beside a converted record. A new field or column keeps it; one that goes, or changes its meaning, raises it.
 pub const SCHEMA_VERSION: u32 = 1;
 
-/// What was run, what came out and how far to believe it; units stand in the names of its fields.
+/// A run, its results and their errors; the names of fields end with their units.
 ///
 /// A field that is absent does not apply. Fields are added in later versions, never renamed.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -25,7 +25,7 @@ pub struct Summary {
     pub schema_version: u32,
     /// Version of the program.
     pub version: String,
-    /// The scene as it ran: with its duration, and with the method found where it asks for an accuracy.
+    /// The scene as it ran: with its duration, and with the method that was found if it asks for an accuracy.
     pub scene: Scene,
     /// How it was integrated.
     pub method: MethodSummary,
@@ -61,13 +61,13 @@ pub struct MethodSummary {
     pub duration_s: f64,
     /// Interval of the histories \[s\].
     pub history_interval_s: f64,
-    /// Largest relative error that the scene allows \[–\], where it asks for an accuracy.
+    /// Largest relative error that the scene allows \[–\], if it asks for an accuracy.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub chosen_for_error: Option<f64>,
     /// How errors are known: `exact` (there are none beyond rounding and the tolerance), `measured` (against the exact
     /// run), `not_measured` (not asked for) or `unknown` (the exact run fails, or breaks a law of mechanics).
     pub errors: String,
-    /// Largest relative error of all that were measured \[–\]; `null` where a number of one run has none in the other.
+    /// Largest relative error of all that were measured \[–\]; `null` if a number exists in one run only.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub largest_error: Option<f64>,
 }
@@ -87,7 +87,7 @@ pub struct RecordSummary {
     /// Unit of the values in the file.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub unit: Option<String>,
-    /// What its source was multiplied by, all scales together \[–\]; 1 where nothing was scaled.
+    /// Product of all scales of the record \[–\]; 1 if it was not scaled.
     #[serde(default = "one")]
     pub scale_factor: f64,
     /// Number of samples, as used.
@@ -100,7 +100,7 @@ pub struct RecordSummary {
     pub peak_time_s: f64,
     /// The description that the file holds.
     pub provenance: String,
-    /// What was read of the file, and where it stood.
+    /// Readings of the file, with their lines.
     pub readings: Vec<ReadingSummary>,
     /// What was done to it before it shook the row, in words, in this order.
     pub processing: Vec<String>,
@@ -115,7 +115,7 @@ fn one() -> f64 {
 pub struct ReadingSummary {
     /// Kind of the reading, such as `component`.
     pub what: String,
-    /// Line of the file, from 1; absent for a binary file and for what was declared.
+    /// Line of the file, from 1; absent for a binary file and for a declaration.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub line: Option<usize>,
     /// What was found, with its unit.
@@ -135,7 +135,7 @@ pub struct StructureSummary {
     /// Its numbers, each in a field of its name.
     #[serde(flatten)]
     pub numbers: Numbers,
-    /// How far these numbers are from the exact run, where measured.
+    /// Distances of these numbers from the exact run, if they were measured.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub errors: Option<ErrorSummary>,
 }
@@ -159,7 +159,7 @@ pub struct PairSummary {
     /// The collision that lasts longest, where it lasts more than 0.25 s: the neighbours lean on each other, and its impulse is
     /// that of a push.
     pub leaning: Option<CollisionSummary>,
-    /// How far these numbers are from the exact run, where measured.
+    /// Distances of these numbers from the exact run, if they were measured.
     pub errors: Option<PairErrorSummary>,
 }
 
@@ -217,7 +217,7 @@ pub struct LedgerSummary {
     pub impact_j: f64,
     /// Energy that compliant contact took \[J\].
     pub contact_j: f64,
-    /// Largest over time of what the balance leaves over, relative to the scale \[–\].
+    /// Largest residual of the balance over time, relative to the scale \[–\].
     pub residual: f64,
     /// Largest over time of the initial energy plus the magnitudes of the terms \[J\].
     pub scale_j: f64,

@@ -90,7 +90,7 @@ impl<'de> Deserialize<'de> for ErrorSummary {
 }
 
 impl ErrorSummary {
-    /// Of all numbers of a place. A drift that the place does not have has none.
+    /// The errors of all numbers of a place; a drift that the place does not have has no error.
     pub(super) fn of(errors: &RunErrors, (all, place): (impl Iterator<Item = Quantity>, usize)) -> Self {
         let told = all.filter_map(|one| {
             let about = one.about();

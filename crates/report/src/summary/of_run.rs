@@ -10,7 +10,7 @@ use crate::sampling::Sampling;
 use pounding_scene::{Errors, Floor, FloorQuantity, PairQuantity, QuantityGroup, Review, Simulation, Source};
 
 impl Summary {
-    /// Of a run, with what is known of its errors.
+    /// The summary of a run, with its errors if they are known.
     pub fn of(prepared: &Simulation, review: &Review) -> Self {
         Self {
             schema_version: SCHEMA_VERSION,
@@ -30,7 +30,7 @@ impl Summary {
 }
 
 impl RecordSummary {
-    /// Of a scene, which need not have run.
+    /// The record of a scene, which need not have run.
     pub fn of(prepared: &Simulation) -> Self {
         let record = prepared.record();
         let file = match &prepared.scene().record.source {

@@ -20,12 +20,12 @@ pub(in crate::commands) fn of_table(mut facts: Vec<Option<String>>, joined: &Joi
     };
     let rows = if joined.has_rows { "rows" } else { "runs summed up" };
     let text = format!("{}: {} {rows}, {failed}", out.display(), joined.runs);
-    facts.push(fact("Results", vec![text]));
+    facts.push(fact("Results", [text]));
     let printed = match &joined.summary {
         None => answer(facts),
         Some(summary) => {
             let beside = joined.has_rows.then(|| summary_beside(out).display().to_string());
-            facts.push(fact("Summary", beside.into_iter().collect()));
+            facts.push(fact("Summary", beside));
             facts.extend(summed::facts(summary));
             summed::tables(answer(facts), summary)
         }

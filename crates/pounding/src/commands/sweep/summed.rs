@@ -13,22 +13,18 @@ const MOST_ROWS: usize = 40;
 
 /// The failures, the cells, and the columns without numbers.
 pub(super) fn facts(summary: &SummaryTable) -> [Option<String>; 3] {
-    let failed = summary.first_failed().map(|(run, reason)| format!("run {run}: {reason}")).collect();
+    let failed = summary.first_failed().map(|(run, reason)| format!("run {run}: {reason}"));
     let (n_cells, by) = (summary.n_cells(), summary.by());
     let cells = match n_cells {
-        0 | 1 => Vec::new(),
-        2..=MOST_CELLS => vec![format!("{n_cells}, by {by}")],
-        _ => vec![format!(
+        0 | 1 => None,
+        2..=MOST_CELLS => Some(format!("{n_cells}, by {by}")),
+        _ => Some(format!(
             "{n_cells}, by {by}: one by one in the table, with their exceedances; here all together"
-        )],
+        )),
     };
     let without = summary.without_numbers();
     let without = (!without.is_empty()).then(|| format!("no run has {}", without.join(", ")));
-    [
-        fact("Failed", failed),
-        fact("Cells", cells),
-        fact("Without", without.into_iter().collect()),
-    ]
+    [fact("Failed", failed), fact("Cells", cells), fact("Without", without)]
 }
 
 /// Adds a few numbers of every column.

@@ -94,7 +94,7 @@ fn of_several<'a>(motions: &[ListedMotion], suite: &Suite, gravity: f64) -> Answ
     let of_one_file = motions.iter().all(|motion| motion.path == *file);
     let found = motions.iter().filter_map(|motion| Some((motion, motion.found.as_ref().ok()?)));
     let format = found.clone().map(|(_, found)| found.opened.file().format().name()).next();
-    let of_file = [file.display().to_string(), format!("format: {}", format.unwrap_or(NONE))];
+    let of_file = [format!("File: {}", file.display()), format!("Format: {}", format.unwrap_or(NONE))];
     let unusual = found.clone().flat_map(|(motion, found)| {
         let unusual = found.opened.file().unusual();
         unusual
@@ -114,7 +114,7 @@ fn of_several<'a>(motions: &[ListedMotion], suite: &Suite, gravity: f64) -> Answ
     };
     let of_file = if of_one_file { of_file.into() } else { Vec::new() };
     Answer::new()
-        .say(Where::Terminal, "File", of_file)
+        .say_as(Where::Terminal, Manner::Facts, "", of_file)
         .table(
             Where::Terminal,
             listed(Table::of(found.map(|(motion, _)| motion)), gravity, of_one_file).grid(),
