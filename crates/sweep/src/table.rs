@@ -4,24 +4,12 @@ use std::sync::Mutex;
 
 use rayon::prelude::*;
 
+use super::column::SweepColumn;
 use super::manifest::Manifest;
 use super::plan::{Axis, Setting};
 use super::sampling::SamplePoint;
 use super::summary::{Form, SummaryTable, Tally};
 use super::{Batch, Sweep};
-
-/// A column of a sweep, with a value for each row.
-#[derive(Debug, Clone, PartialEq)]
-pub enum SweepColumn {
-    /// Numbers of runs.
-    Counts(Vec<u64>),
-    /// Yes or no for each row.
-    Flags(Vec<bool>),
-    /// Numbers; NaN if a row has none.
-    Numbers(Vec<f64>),
-    /// Texts; `None` if a row has none.
-    Texts(Vec<Option<String>>),
-}
 
 impl Sweep {
     /// Runs the whole sweep with all threads. Returns columns with the names of [`columns`](Self::columns) and the numbers of a table on

@@ -7,8 +7,8 @@ use super::form::{Form, Summed};
 use super::moments::Moments;
 use super::octaves::Octaves;
 use super::tally::{CellTally, ColumnTally, Tally};
+use crate::column::SweepColumn;
 use crate::output::is_of_all;
-use crate::table::SweepColumn;
 
 /// Names of the columns after those that identify cells.
 const COLUMNS: [&str; 6] = ["column", "statistic", "at", "value", "low", "high"];
