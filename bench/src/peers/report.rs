@@ -1,4 +1,5 @@
-//! Tables of the comparison: every setting, error levels, the smallest error of each entrant, and the figure.
+//! Writes the results of the comparison: a table of all settings, a table by error level, the smallest error of each entrant, and the
+//! panels of the figure.
 
 use super::figure::{Competitor, WorkPrecision};
 
@@ -16,7 +17,7 @@ fn points(raced: &Raced, meant: impl Fn(&EntrantRun) -> bool) -> Points<'_> {
     runs.map(|run| (run, run.points())).collect()
 }
 
-/// A ratio in a table: three digits.
+/// Formats a ratio: three decimals below 100, otherwise none.
 fn ratio(value: f64) -> String {
     if value < 100.0 {
         format!("{value:.3}")
@@ -25,7 +26,9 @@ fn ratio(value: f64) -> String {
     }
 }
 
-/// Every setting of every entrant: error, CPU time over the unit, and over that of our cheapest method with this error.
+/// Returns a line for every setting of every entrant. The first number is its error, the second its CPU time divided by the unit. The third
+/// is its CPU time divided by the time that our cheapest method needs for the same error; it is empty if no method of ours reaches the
+/// error.
 pub(super) fn settings(all: &[Raced]) -> Vec<String> {
     let mut lines = Vec::new();
     for raced in all {
@@ -51,10 +54,11 @@ pub(super) fn settings(all: &[Raced]) -> Vec<String> {
     lines
 }
 
-/// For every error level, our cheapest method, and the best package and the best compiled loop relative to it.
+/// Returns a line for every error level that one of our methods reaches. It names our cheapest method, and compares the fastest package and
+/// the fastest compiled loop with it.
 ///
-/// A ratio has a `>` if no entrant reaches the error: it is that of the finest settings. It has a `<` if the coarsest setting is as
-/// accurate: a coarser setting might suffice.
+/// A `>` means that no entrant reaches the error. The ratio then uses the shortest time among the entrants' costliest settings, as a lower
+/// bound. A `<` means that even the cheapest setting reaches the error. A coarser setting might be faster still.
 pub(super) fn levels(all: &[Raced]) -> Vec<String> {
     let mut lines = Vec::new();
     for raced in all {
@@ -72,7 +76,7 @@ pub(super) fn levels(all: &[Raced]) -> Vec<String> {
     lines
 }
 
-/// The best entrant at an error, and its CPU time over ours.
+/// Names the fastest entrant that reaches an error, and gives its CPU time divided by ours.
 fn beside(points: &[(&EntrantRun, Vec<(f64, f64)>)], level: f64, ours: f64) -> String {
     if let Some((run, seconds)) = work::cheapest(points, level) {
         let name = format!("{} {}", run.entrant.tool, run.entrant.method);
@@ -85,7 +89,7 @@ fn beside(points: &[(&EntrantRun, Vec<(f64, f64)>)], level: f64, ours: f64) -> S
 
 /// Prints the smallest error of each entrant, which shows whether all agree.
 pub(super) fn check(all: &[Raced]) {
-    println!("\nLeast error against the exact method, over all settings:");
+    println!("\nSmallest error of each entrant over all its settings, relative to the exact method:");
     for raced in all {
         for run in &raced.runs {
             let errors = run.rungs.iter().map(|rung| rung.error);
@@ -95,7 +99,7 @@ pub(super) fn check(all: &[Raced]) {
     }
 }
 
-/// A panel of the figure.
+/// Returns the panel of the figure for one kind of scene.
 pub(super) fn panel(raced: &Raced) -> (&'static str, Vec<WorkPrecision>) {
     let curve = |run: &EntrantRun| {
         let points = run.points().into_iter();

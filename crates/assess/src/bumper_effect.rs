@@ -7,30 +7,32 @@ use crate::distribution::Distribution;
 use crate::peaks::FloorPeaks;
 use crate::run::AssessedRun;
 
-/// Effect of bumpers, over the runs in which something touches without them.
+/// Effect of bumpers. It covers the runs in which something touches when there are no bumpers.
 #[derive(Debug, Clone, PartialEq)]
 pub struct BumperEffect {
     /// The bumpers.
     pub bumpers: Vec<Bumper>,
     /// Number of runs.
     pub runs: usize,
-    /// Number of runs in which some bumper is compressed by more than its thickness. The collision of the floors behind the bumper is then
-    /// left out.
+    /// Number of runs that compress a bumper by more than its thickness. In reality the two floors would then hit each other; the model
+    /// leaves this collision out.
     pub too_thin: usize,
-    /// Ratio of the force with a bumper to the force without \[–\], for every pair and run in which both are known.
+    /// Ratio of the peak force of a pair with bumpers to its peak force without \[–\], for every pair and run in which the force without
+    /// bumpers is known. The force with bumpers is 0 if nothing touches.
     pub force: Option<Distribution>,
-    /// Ratio of the peak drift with bumpers to the peak drift without \[–\], for every storey that moves, over the runs that hit its
-    /// building.
+    /// Ratio of the peak drift with bumpers to the peak drift without bumpers \[–\]. It includes every storey, except walls, in the runs in
+    /// which something hits its building without bumpers.
     pub drift: Distribution,
-    /// Ratio of peak absolute accelerations \[–\], for every floor that moves, over the runs that hit its building.
+    /// Ratio of the peak absolute acceleration with bumpers to that without bumpers \[–\]. It includes every floor, except walls, in the
+    /// runs in which something hits its building without bumpers.
     pub acceleration: Distribution,
-    /// Every floor in the order of the row, over the runs that hit its building; `None` for a wall, and if no run hits the building.
+    /// Effect on each floor, in the order of the row. It is `None` for a wall, and for a building that nothing hits in any run.
     pub floors: Vec<Option<FloorBumperEffect>>,
     /// Every pair in the order of the row; `None` if the pair never touches without bumpers.
     pub pairs: Vec<Option<PairBumperEffect>>,
 }
 
-/// Effect of bumpers on a floor: ratios of responses with bumpers to responses without \[–\].
+/// Effect of bumpers on a floor. Each number is the response with bumpers divided by the response without \[–\].
 #[derive(Debug, Clone, PartialEq)]
 pub struct FloorBumperEffect {
     /// Ratio of peak drifts of the storey below.
@@ -42,24 +44,26 @@ pub struct FloorBumperEffect {
 /// Effect of a bumper on a pair.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PairBumperEffect {
-    /// Largest force of every run without a bumper \[N\], with the contact stiffness of the scene; `None` for a law without force.
+    /// Peak force in every run in which the pair touches without bumpers \[N\]. It is `None` for an impulsive law.
     pub force_without: Option<Distribution>,
-    /// Largest force of every run with a bumper \[N\]; `None` if nothing touches the bumper.
+    /// Peak force with bumpers in every run in which the pair touches without bumpers \[N\]. It is `None` if no run has a force.
     pub force_with: Option<Distribution>,
-    /// Largest compression of all runs \[m\].
+    /// Largest compression in the runs in which the pair touches without bumpers \[m\].
     pub compression: f64,
 }
 
-/// Part of the runs \[–\] that may compress bumpers by more than their thickness: the runs beyond 84 %.
+/// Largest accepted part of runs that compress a bumper by more than its thickness \[–\]. A proposed bumper is sized for 84 % of the runs,
+/// so the other 16 % may do so.
 const MOST_THROUGH: f64 = 0.16;
 
 impl BumperEffect {
-    /// Whether so many runs compress bumpers by more than their thickness that the effect of the bumpers is not known.
+    /// Whether the bumpers are too thin: more than 16 % of the runs compress one by more than its thickness. Their effect is then not
+    /// known.
     pub fn is_too_thin(&self) -> bool {
         self.too_thin as f64 > MOST_THROUGH * self.runs as f64
     }
 
-    /// Sums up runs without bumpers and with them; `None` if there are none.
+    /// Compares runs without bumpers and the same runs with bumpers. Returns `None` if there are no runs, or if no building is hit.
     pub fn of(floors: &Floors, bumpers: &[Bumper], runs: &[(&AssessedRun, &BumperRun)]) -> Option<Self> {
         let moving = |floor: &usize| !floors.all()[*floor].is_wall();
         let ratios = |floor: usize, peak: fn(&FloorPeaks) -> f64| {
@@ -67,7 +71,7 @@ impl BumperEffect {
             let hit = runs.iter().filter(move |(without, _)| without.hits(floors, building));
             let both = hit.map(move |(without, with)| {
                 let [without, with] = [&without.floors[floor].beside, &with.floors[floor]].map(peak);
-                // A floor that never moves responds alike.
+                // Equal responses give the ratio 1, also if both are 0.
                 if without.to_bits() == with.to_bits() { 1.0 } else { with / without }
             });
             both.filter(|ratio| ratio.is_finite())

@@ -1,27 +1,27 @@
 use crate::form::{Power, Term};
 
-/// Two masses with no force other than that of their collision.
+/// Two masses that collide. No other force acts on them.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FreePair {
     /// Reduced mass m \[kg\], > 0; see [`crate::reduced_mass`].
     pub reduced_mass: f64,
-    /// Approach speed at the first touch v₀ \[m/s\], > 0.
+    /// Approach speed v₀ at the first touch \[m/s\], > 0.
     pub approach_speed: f64,
 }
 
 impl FreePair {
-    /// Unit mass at unit speed, for laws whose e does not depend on the pair.
+    /// Reduced mass and approach speed of 1. Use it for laws whose coefficient of restitution e does not depend on the pair.
     pub const UNIT: Self = Self {
         reduced_mass: 1.0,
         approach_speed: 1.0,
     };
 
-    /// Impulse of the collision \[N·s\] for an e \[–\]: H = m (1+e) v₀, whatever the law.
+    /// Returns the impulse of the collision \[N·s\] for a coefficient of restitution e \[–\]: H = m (1+e) v₀. This holds for every law.
     pub fn impulse(&self, restitution: f64) -> f64 {
         self.reduced_mass * (1.0 + restitution) * self.approach_speed
     }
 
-    /// Energy lost \[J\] for an e \[–\]: ½ m v₀² (1−e²).
+    /// Returns the energy that the collision dissipates \[J\] for a coefficient of restitution e \[–\]: ½ m v₀² (1−e²).
     pub fn energy_lost(&self, restitution: f64) -> f64 {
         let lost = (1.0 - restitution) * (1.0 + restitution);
         0.5 * self.reduced_mass * self.approach_speed * self.approach_speed * lost

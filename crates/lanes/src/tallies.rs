@@ -52,14 +52,15 @@ impl SceneSums {
         self.pairs[scene * self.n_pairs + pair]
     }
 
-    /// Whether the results of a scene are known. Otherwise the scene needs a run alone. Results are unknown if structures have moved beyond
-    /// all bounds. They are also unknown if a floor or a storey has moved equally far to both sides, so that only the order gives the sign
-    /// of its peak.
+    /// Whether the lanes know the results of a scene. If not, the scene needs a separate run.
+    ///
+    /// The results are unknown if a structure has moved beyond all bounds. They are also unknown if a floor or a storey has moved equally
+    /// far to both sides, because the sign of its peak then depends on the order.
     pub fn is_told(&self, scene: usize) -> bool {
         self.told[scene]
     }
 
-    /// Whether the books of its contacts leave open that a scene breaks a law of mechanics. The scene then needs a run alone.
+    /// Whether the books of a scene's contacts cannot exclude that it breaks a law of mechanics. The scene then needs a separate run.
     ///
     /// In stepping methods the books treat compliant collisions like a [`Ledger`](pounding_solver::Ledger), and doubt a little more than it
     /// refuses. Impacts are not booked: no round of impacts adds energy, because e is at most 1 and no impulse pulls. The exact method is

@@ -1,4 +1,4 @@
-//! The segments of a run, each between two arrivals of samples at any structure.
+//! Divides a run into segments. A segment ends when the next sample of the ground motion reaches any structure.
 
 use pounding_solver::Excitation;
 
@@ -6,30 +6,34 @@ use super::equations::Segment;
 use super::model::{displacement, velocity};
 use super::state::{State, Sum};
 
-/// Instants closer than this part of the interval between samples are equal: quotients of decimal numbers miss a whole number by a
-/// rounding, which must not make a segment.
+/// Two instants count as equal if they differ by less than this part of the sampling interval. Otherwise a rounding error would create an
+/// extra, very short segment.
 const SAME: f64 = 1e-9;
 
-/// Arrival of a sample \[s\], unrounded. Ground accelerations are integrated twice to the relative motion of grounds: a sample that is
-/// 1e-15 s late would give a relative error of 1e-12.
+/// Returns the time at which a sample arrives \[s\], together with its rounding error. The relative motion of two grounds is the double
+/// integral of their accelerations. A time error of 1e-15 s would cause a relative error of 1e-12 in it.
 fn instant(sample: f64, interval: f64, arrival: f64) -> Sum {
     Sum::default().plus_product(Sum::of(sample), Sum::of(interval)).plus(arrival)
 }
 
-/// The ground at a sample of the record that has arrived, and at an instant after it.
+/// Motion of the ground at one instant: at a sample, or after it.
 #[derive(Debug, Clone, Copy, Default)]
 struct Ground {
-    /// Acceleration \[m/s²\], and its rate until the next sample \[m/s³\].
+    /// Acceleration \[m/s²\].
     acceleration: f64,
+    /// Rate of the acceleration until the next sample \[m/s³\].
     rate: f64,
-    /// Velocity \[m/s\] and displacement \[m\].
+    /// Velocity \[m/s\].
     velocity: Sum,
+    /// Displacement \[m\].
     displacement: Sum,
 }
 
 impl Ground {
-    /// The ground `since` seconds later, before the next sample. A ground moves by metres, while two grounds move far less relative to each
-    /// other.
+    /// Returns the motion of the ground `since` seconds later. This instant must not lie beyond the next sample, if there is one.
+    ///
+    /// Displacements and velocities keep their rounding errors, because the difference between two grounds is far smaller than either
+    /// displacement.
     fn after(&self, since: Sum) -> Self {
         let Self {
             acceleration,
@@ -55,7 +59,8 @@ pub(super) struct Segments {
     samples: Vec<Ground>,
     /// Arrival at every structure \[s\].
     arrivals: Vec<f64>,
-    /// Instants at which a sample arrives at any structure, and the end of the run.
+    /// Boundaries of the segments: the sampling grid of every arrival time and of t = 0, also after the last sample, and the end of the
+    /// run.
     instants: Vec<Sum>,
     next: usize,
 }
@@ -100,7 +105,7 @@ impl Segments {
         #[expect(
             clippy::cast_possible_truncation,
             clippy::cast_sign_loss,
-            reason = "a whole number >= 0; beyond the last sample nothing follows"
+            reason = "the number is whole and not negative; after the record the last sample is used"
         )]
         let index = (whole as usize).min(last);
         let arrives = instant(index as f64, self.interval, arrival);
@@ -114,7 +119,7 @@ fn integrated(samples: &[f64], interval: f64) -> Vec<Ground> {
     for (index, &acceleration) in samples.iter().enumerate() {
         let before = all.last().map(|before| before.after(Sum::of(interval)));
         let before = before.unwrap_or_default();
-        // The ground keeps the velocity of the last sample.
+        // After the last sample the acceleration is 0, so the ground keeps its velocity.
         let next = samples.get(index + 1);
         all.push(Ground {
             acceleration: next.map_or(0.0, |_| acceleration),
@@ -133,7 +138,7 @@ impl Iterator for Segments {
             return None;
         };
         self.next += 1;
-        // As many unknowns as precede the displacement of one more structure.
+        // The vector has room for the time and for the displacement and velocity of every structure.
         let mut moved = State::zero(displacement(self.arrivals.len()));
         let mut grounds = Vec::with_capacity(self.arrivals.len());
         for (index, arrival) in self.arrivals.iter().enumerate() {
@@ -155,7 +160,8 @@ impl Iterator for Segments {
 mod tests {
     use super::*;
 
-    /// Deviation of the distance of the grounds of two structures, after the record, from velocity times difference of arrivals \[m\].
+    /// Returns the largest error \[m\] of the distance between two grounds after the record. The exact distance is the final velocity times
+    /// the difference of the two arrival times.
     fn off(samples: &[f64], arrivals: [f64; 2]) -> f64 {
         let excitation = Excitation::new(0.1, samples).expect("finite samples");
         let n = samples.len() as f64;

@@ -1,4 +1,4 @@
-/// Why the second route ended early.
+/// An error that ends a run of the second route, the program that is independent of the solver.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum SecondRouteError {
     /// A setting out of range.
@@ -14,7 +14,7 @@ pub enum SecondRouteError {
     /// The motion is no longer finite.
     #[error("second route: the motion is no longer finite at t = {time} s")]
     NotFinite {
-        /// Start of the step in which it failed \[s\].
+        /// Start of the step after which the motion is no longer finite \[s\].
         time: f64,
     },
     /// No step is short enough for the tolerance.
@@ -25,22 +25,22 @@ pub enum SecondRouteError {
         /// The requested tolerance.
         tolerance: f64,
     },
-    /// More events between two samples of the record than allowed.
-    #[error("second route: more than {limit} events within one sample of the record, at t = {time} s")]
+    /// A segment of the run has more events than allowed.
+    #[error("second route: more than {limit} events before the next sample arrives at a structure, at t = {time} s")]
     TooManyEvents {
         /// Time at which the limit was passed \[s\].
         time: f64,
         /// The limit.
         limit: usize,
     },
-    /// Too many pairs push on each other at once, because all sets of them are tried.
+    /// Too many connected impulsive pairs touch at the same time. Every subset of them is tried, so their number is limited.
     #[error(
         "second route: {found} impulsive pairs touch at t = {time} s and meet floors of each other, allowed are {limit}; give some of them a gap or a compliant law"
     )]
     TooManyAtOnce {
         /// Time of the touch \[s\].
         time: f64,
-        /// Number of pairs.
+        /// Number of connected pairs that touch at this time.
         found: usize,
         /// The limit.
         limit: usize,

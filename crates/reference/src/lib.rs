@@ -1,21 +1,24 @@
-//! A second route to the motion of a row: event-located Runge–Kutta, independent of every integrator of the solver.
+//! The second route: computes the motion of a row of structures a second time, independently of the solver. It uses a Runge–Kutta method
+//! whose steps end at events.
 //!
-//! A reference is trusted to the digits on which two independent routes agree. This route shares the model data ([`Row`], [`Excitation`])
-//! and the parameters of contact laws and columns with the solver. Forces, events, impacts and records are implemented again from their
-//! formulas.
+//! We trust only the digits of a result on which two independent programs agree. This crate shares the model data ([`Row`], [`Excitation`])
+//! and the parameters of contact laws and columns with the solver. It has its own code for forces, events, impacts and the recording of
+//! results.
 //!
 //! ```
 //! use pounding_contact::{ContactLaw, LinearSpring};
 //! use pounding_reference::Fineness;
 //! use pounding_solver::{Elastic, Excitation, Node, Pair, Row};
-//! // 75 t on 2.056 MN/m, 30 mm from a wall that they press with a spring of 93.5 MN/m. The ground jerks to the left with 3 m/s².
+//! // A mass of 75 t stands on columns of 2.056 MN/m, 30 mm from a wall. The contact between them is a spring of 93.5 MN/m. The ground
+//! // accelerates to the left with a constant 3 m/s².
 //! let (mass, stiffness, spring, gap, jerk) = (75e3, 2.056e6, 93.5e6, 0.03, 3.0);
 //! let law = ContactLaw::LinearSpring(LinearSpring { impact_stiffness: spring });
 //! let nodes = vec![Node::structure(mass, 0.0, Elastic { stiffness }), Node::wall(Elastic { stiffness })];
 //! let row = Row::new(nodes, vec![Pair::of_floors(0, 1, gap, law)])?;
 //! let run = pounding_reference::run(&row, Excitation::new(0.1, &[-jerk; 5])?, 0.2, Fineness::FINE)?;
 //!
-//! // At the peak F the structure stands still at u = gap + F/K: the ground's work m a u is ½ k u² + ½ F²/K.
+//! // At the peak force F the structure is at rest at u = gap + F/K, with the contact stiffness K. The work of the inertia force, m a u,
+//! // then equals the stored energy ½ k u² + ½ F²/K.
 //! let force = run.collisions[0][0].peak_force.expect("a compliant law has a force");
 //! let u = gap + force / spring;
 //! let stored = 0.5 * (stiffness * u * u + force * force / spring);
@@ -23,19 +26,23 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! The method is Dormand–Prince of order 8(5,3) with error control, including free flight. No step crosses a sample of the record or an
-//! event, such as a touch, yielding or a peak. A step that would cross an event is repeated with the length at which the event's function
-//! vanishes. Near the first touch, where a force may start like δ^(1/4), the variable is the fourth root of the time since the touch. On
-//! the way to parting it is √δ. In both variables the motion is analytic, and the method keeps its order.
+//! The method is that of Dormand and Prince of order 8. It controls its error by the embedded method of order 5, also while no pair
+//! touches. No step crosses a sample of the record or an event, such as a touch, yielding or a peak. Each event has a function that becomes
+//! zero when it happens. A step that would cross an event is repeated with a length that ends there.
 //!
-//! - Floors of buildings are separate bodies: a storey acts on the floors above and below it. A floor may meet any number of pairs, and a
-//!   pair may meet points between floors.
-//! - The deformation of a pair and its rate are unknowns, so that small bounces keep their digits. The elastic part of the drift of
-//!   Bouc–Wen columns is an unknown, too. A travelling ground motion needs no double integral of the record.
-//! - Stereomechanical pairs whose bounces are over rest against each other until their force fades.
+//! From the touch of a pair until its largest deformation, the variable of integration is the fourth root of the time since the touch,
+//! because a force may start like δ^(1/4). Once a pair is certain to part, the variable is √δ. In both variables the motion is analytic,
+//! and the method keeps its order.
 //!
-//! Not in this crate: recorders and speed (`pounding-solver`); scenes, and the comparison of both routes (`second_route` in
-//! `pounding-studies`).
+//! - Floors of buildings are separate bodies: a storey acts on the floors above and below it. A floor may belong to any number of pairs,
+//!   and a pair may touch a building between two floors.
+//! - The deformation of a pair and its rate are unknowns of their own. Small bounces therefore stay accurate. The elastic part of the drift
+//!   of Bouc–Wen columns is an unknown, too. For a travelling ground motion the record is integrated exactly to the velocities and
+//!   displacements of the grounds.
+//! - When the bounces of a stereomechanical pair have ended, its floors stay in contact until their contact force falls to 0.
+//!
+//! This crate is not fast and has no recorders; `pounding-solver` is and does. Scenes are in `pounding-scene`. `second_route` in
+//! `pounding-studies` compares the results of both programs.
 //!
 //! Where to start: [`run`], [`Fineness`] and [`Response`]; then `events.rs` with all events, and `law.rs` with the contact laws.
 
@@ -73,18 +80,19 @@ use runner::Runner;
 pub struct Fineness {
     /// Largest error of the embedded method of order 5 in a step, 1e-14 ..= 1e-6.
     ///
-    /// It is relative to the largest displacements, velocities and momenta so far. The step itself is of order 8 and far more accurate. A
-    /// factor of ten increases the number of steps by up to a half.
+    /// It is relative to the largest displacements, velocities and momenta so far. The step itself has order 8 and is far more accurate. A
+    /// tolerance ten times smaller needs up to 50 % more steps.
     pub tolerance: f64,
     /// Fewest steps between two samples of the record, ≥ 1.
     ///
-    /// Zeros of functions are detected at the ends of a step, and those of velocities also in its middle. A touch that lasts for a small
-    /// part of a step can be missed.
+    /// An event is detected if its function has changed sign at the end of a step. Sign changes of velocities are also checked in the
+    /// middle of a step. A touch that lasts for a small part of a step can be missed.
     pub steps_per_sample: u32,
 }
 
 impl Fineness {
-    /// Accuracy limited by rounding: in the scenes of the paper, finer settings change totals by less than 3e-14.
+    /// With this setting only rounding limits the accuracy. In the scenes of Tables 6 and 7 of the paper, finer settings change the
+    /// transferred momenta by less than 3e-14 of their value.
     pub const FINE: Self = Self {
         tolerance: 1e-13,
         steps_per_sample: 4,
@@ -104,10 +112,12 @@ impl Fineness {
 
 /// Runs a row from t = 0 for `duration` \[s\] and reports its collisions and peaks.
 ///
-/// The ground acceleration is linear between samples and zero after the last sample; the first sample is at t = 0.
+/// The ground acceleration is linear between samples and zero after the last one. The first sample reaches a structure at its arrival time,
+/// by default at t = 0.
 ///
 /// # Errors
-/// [`SecondRouteError`] if a setting is out of range, the motion is no longer finite, a tolerance cannot be met, or events do not end.
+/// Returns [`SecondRouteError`] if a setting is out of range, the motion is no longer finite, no step meets the tolerance, a segment has
+/// too many events, or too many impulsive pairs touch at once.
 pub fn run<Column: Hysteretic>(
     row: &Row<Column>,
     excitation: Excitation<'_>,

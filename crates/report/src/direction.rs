@@ -11,15 +11,15 @@ use super::Blow;
 /// The results of both directions of shaking.
 #[derive(Debug)]
 pub struct BothDirections {
-    /// A sentence for each, the one that is worse for the buildings first.
+    /// A sentence for each direction. The direction that is worse for the buildings comes first, unless the other run failed.
     pub sentences: [String; 2],
-    /// What to know of both before believing them, the most harmful first.
+    /// Excesses and warnings of both runs, the most harmful first.
     pub notices: Vec<String>,
-    /// The run in the other direction than the scene's; `None` if it failed.
+    /// The run in the direction opposite to the scene's. It is `None` if that run failed.
     pub other: Option<RunResult>,
 }
 
-/// Drifts of two runs that differ by less count as equal \[–\].
+/// Two responses count as equal if they differ by less than this part of their size \[–\].
 const SAME: f64 = 1e-9;
 
 /// Runs the scene under the reversed record, by its own method.
@@ -30,7 +30,7 @@ pub fn other_direction(prepared: &Simulation) -> Result<RunResult, Error> {
     prepared.under(|record| record.scaled(-1.0))?.run(None)
 }
 
-/// The same by the exact method.
+/// Runs the scene under the reversed record, by the exact method.
 ///
 /// # Errors
 /// Those of [`Simulation::run`].
@@ -62,7 +62,8 @@ impl BothDirections {
     }
 }
 
-/// A sentence for each direction, the one that strains the buildings more first; if both strain them alike, the one that hits harder.
+/// Returns a sentence for each direction. The direction that strains the buildings more comes first. If both strain them equally, the one
+/// that hits harder comes first.
 fn sentences(prepared: &Simulation, mut both: [(&str, &RunResult); 2]) -> [String; 2] {
     let strain = |result: &RunResult| {
         let strain = prepared.strain(result);
@@ -95,7 +96,7 @@ fn sentences(prepared: &Simulation, mut both: [(&str, &RunResult); 2]) -> [Strin
     [said(0), said(1)]
 }
 
-/// What to know of both directions: responses beyond the model of either, at its worst, and warnings.
+/// Returns the excesses of both directions, each kind at its worst, and the warnings.
 fn notices(prepared: &Simulation, review: &Review, other: &RunResult, names: [&str; 2]) -> Vec<String> {
     let both = [review.excesses.clone(), prepared.excesses(other)];
     let mut kinds: Vec<ExcessKind> = both.iter().flatten().map(|one| one.kind).collect();
@@ -133,7 +134,7 @@ fn touching(prepared: &Simulation, result: &RunResult) -> usize {
     pairs.filter(|pair| result.of_pair(*pair).collisions > 0).count()
 }
 
-/// What a run of a scene comes to, in a sentence: how often floors touch, and how hard.
+/// Describes a run of a scene in a sentence: how often floors touch, and how hard.
 pub fn run_sentence(prepared: &Simulation, result: &RunResult) -> String {
     let all = PairOutcome::of(result.collisions.all());
     let pairs = prepared.pairs().len();

@@ -1,4 +1,4 @@
-//! Runs of a sweep in lanes, if its method and outputs allow it.
+//! Runs several scenes of a sweep at once in SIMD lanes, if the method and the outputs allow it.
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
@@ -10,7 +10,7 @@ use pounding_scene::{Floor, FloorQuantity, PairOutcome, PairQuantity, Quantity, 
 use pounding_solver::Pair;
 
 impl Sweep {
-    /// Results of prepared scenes, if they could run in lanes.
+    /// Runs prepared scenes in lanes. Returns `None` if they cannot run in lanes.
     pub(super) fn beside(&self, ready: &[(u64, Box<Simulation>)]) -> Option<SceneSums> {
         if !self.asks_for_tallies() {
             return None;
@@ -21,17 +21,18 @@ impl Sweep {
             .flatten()
     }
 
-    /// Whether lanes know all requested numbers: only peaks and sums.
+    /// Whether lanes can run this sweep: they can compute every requested number, which are peaks and sums, and the scene sets no limit
+    /// that needs separate runs.
     pub(super) fn asks_for_tallies(&self) -> bool {
         self.untallied().is_none() && self.limit().is_none()
     }
 
-    /// The first number that only a run alone has.
+    /// Returns the first requested number that lanes cannot compute.
     fn untallied(&self) -> Option<&Output> {
         self.outputs.iter().find(|output| tallied(output.quantity).is_none())
     }
 
-    /// The limit of cost above which runs are given up, if only a run alone has it.
+    /// Returns the name of a limit in the scene's budget that lanes cannot obey: `pieces` or `seconds`.
     fn limit(&self) -> Option<&'static str> {
         let budget = self.scene.get("budget");
         let is_named = |name: &&str| {
@@ -41,24 +42,29 @@ impl Sweep {
         ["pieces", "seconds"].into_iter().find(is_named)
     }
 
-    /// Why all runs must run alone, which takes many times as long; `None` if they can run in lanes.
+    /// Says why every scene must run separately, which takes many times as long. It tests one typical scene. Returns `None` if that scene
+    /// can run in lanes, or cannot be prepared.
     pub fn alone_because(&self) -> Option<String> {
         if let Some(output) = self.untallied() {
             return Some(format!(
-                "`{}` among the `outputs` is not known side by side",
+                "`{}` in the `outputs` needs separate runs: lanes do not compute it",
                 output.quantity.about().name
             ));
         }
         if let Some(limit) = self.limit() {
-            return Some(format!("`{limit}` of the `budget` is that of a run alone"));
+            return Some(format!(
+                "`{limit}` in the `budget` limits a single run, so the runs cannot share lanes"
+            ));
         }
         let typical = self.plan.typical();
         let typical = self.prepared(self.motions.longest(), &typical, &mut self.scene.clone());
         alone_because(&typical.ok()?).map(String::from)
     }
 
-    /// Fills the numbers of a scene in the order of the columns, and their least scales, which stay empty if no number has one. Returns
-    /// false if there are none: a run alone then shows why.
+    /// Appends the numbers of a scene to `numbers`, in the order of the columns. If least openings are requested, it also appends to
+    /// `least` the smallest magnitude by which each error is divided.
+    ///
+    /// Returns false if the lanes have no results for the scene, or doubt them and a verdict is requested. The scene then runs separately.
     pub(super) fn tell(
         &self,
         prepared: &Simulation,
@@ -91,7 +97,7 @@ impl Sweep {
     }
 }
 
-/// A floor or a pair of one of these scenes.
+/// A floor or a pair of a scene that ran in lanes.
 struct One<'a> {
     prepared: &'a Simulation,
     tallies: &'a SceneSums,
@@ -99,10 +105,10 @@ struct One<'a> {
     place: usize,
 }
 
-/// How to take a number from the sums of lanes; `None` if the place has no such number.
+/// A function that reads a number from the results of the lanes. It returns `None` if the floor or pair has no such number.
 type Take = fn(&One<'_>) -> Option<f64>;
 
-/// The numbers that runs side by side know. Any other is that of a run alone.
+/// The numbers that lanes compute. Every other number needs a separate run.
 const TALLIED: &[(Quantity, Take)] = &[
     (Quantity::Floor(FloorQuantity::PeakDisplacementM), |one| {
         let displacement = one.tallies.displacement(one.scene, one.place);
@@ -129,7 +135,7 @@ const TALLIED: &[(Quantity, Take)] = &[
     }),
 ];
 
-/// How runs side by side tell a number, if they do.
+/// Returns the function that reads this number from the lanes, or `None` if they do not compute it.
 fn tallied(quantity: Quantity) -> Option<Take> {
     let found = TALLIED.iter().find(|(known, _)| *known == quantity);
     found.map(|(_, take)| *take)
@@ -156,7 +162,8 @@ impl One<'_> {
         self.sums().collisions > 0.0
     }
 
-    /// What a number counts as at least.
+    /// Returns the smallest magnitude by which an error of this number is divided: for a least opening, 5 % of the larger peak displacement
+    /// of the two floors; for all others, 0.
     fn least(&self, quantity: Quantity) -> f64 {
         if quantity != PairQuantity::LeastOpeningM.into() {
             return 0.0;

@@ -14,15 +14,15 @@ macro_rules! rows {
     };
 }
 
-/// Runs scenes in lanes, grouped by compatibility, and returns their results, with `closings` also how far neighbours come towards each
-/// other. Returns `None` if no scene can run in lanes.
+/// Runs scenes in lanes, in groups of compatible scenes, and returns their results. With `closings`, the results also say how far
+/// neighbours come towards each other. Returns `None` if no scene can run in lanes.
 ///
-/// The results lack scenes with other numbers of floors and pairs than the first, with Bouc–Wen columns, with a travelling motion, or with
-/// other methods. Each scene may have a separate record.
+/// A scene has no results if it has other numbers of floors and pairs than the first scene, Bouc–Wen columns, a travelling motion, or a
+/// method other than the two below. Each scene may have a separate record.
 ///
-/// By the central difference method without sub-steps, every scene has exactly the numbers of its run alone. The exact method supports two
-/// elastic structures, with a tolerance of at least 1e-12 for compliant contact. Its numbers are those of runs alone up to about the
-/// tolerance, and do not depend on the other scenes.
+/// With the central difference method without sub-steps, the numbers of a scene are exactly those of a separate run. The exact method
+/// supports two elastic structures, with a tolerance of at least 1e-12 for compliant contact. Its numbers are those of separate runs up to
+/// about the tolerance, and do not depend on the other scenes.
 pub(crate) fn side_by_side(scenes: &[&Simulation], closings: bool) -> Option<SceneSums> {
     let shape = |scene: &Simulation| (scene.floors().all().len(), scene.pairs().len());
     let of_first = shape(scenes.first()?);
@@ -45,7 +45,7 @@ pub(crate) fn side_by_side(scenes: &[&Simulation], closings: bool) -> Option<Sce
     any.then_some(tallies)
 }
 
-/// Why a scene must run alone; `None` if it can run in lanes with similar scenes.
+/// Says why a scene needs a separate run. Returns `None` if it can run in lanes with similar scenes.
 pub(crate) fn alone_because(scene: &Simulation) -> Option<&'static str> {
     let floors = scene.floors().all();
     let two = floors.len() == 2 && floors.iter().all(|floor| floor.storey.is_none());
@@ -76,8 +76,8 @@ pub(crate) fn alone_because(scene: &Simulation) -> Option<&'static str> {
 /// A scene with its index.
 type Placed<'a> = (usize, &'a Simulation);
 
-/// Whether scenes share lanes: a common method and time step; for stepping methods, rows of a common kind; for the exact method, records
-/// that end at a common sample.
+/// Whether two scenes can share lanes. They need the same method and time step. Stepping methods also need rows of the same kind. The exact
+/// method needs records with the same time step, and runs with the same number of steps.
 fn goes_with(one: &Simulation, other: &Simulation) -> bool {
     let equal = |of: fn(&Simulation) -> f64| of(one).total_cmp(&of(other)).is_eq();
     let with_method = one.integrator() == other.integrator() && equal(|scene| scene.clock().time_step);
@@ -120,7 +120,7 @@ fn stepped(scenes: &[Placed<'_>], closings: bool, settings: CentralDifference, t
     Some(ran)
 }
 
-/// Runs those of scenes sharing lanes that the exact method supports; false if there are none.
+/// Runs the scenes that the exact method supports. Returns false if there are none.
 fn exact(scenes: &[Placed<'_>], closings: bool, tallies: &mut SceneSums) -> bool {
     let flies = |(_, scene): &Placed<'_>| {
         let settings = settings(scene)?;

@@ -1,4 +1,5 @@
-//! The answer of a command, once: parts in the order in which they are read. A terminal, a page and programs render them.
+//! The answer of a command, written in one place as a list of parts in reading order. A terminal and a page show the parts. Programs get
+//! separate facts as JSON, or a table as CSV.
 
 use std::collections::BTreeMap;
 
@@ -21,7 +22,7 @@ pub enum Form {
 }
 
 impl Form {
-    /// The form that is asked for; at most one of these is true.
+    /// Returns the requested form. The caller sets at most one of the three arguments.
     pub fn asked(details: bool, csv: bool, json: bool) -> Self {
         match (details, csv, json) {
             (_, true, _) => Self::Csv,
@@ -31,7 +32,7 @@ impl Form {
         }
     }
 
-    /// Whether people read it.
+    /// Whether this form is for people.
     pub fn is_for_people(self) -> bool {
         matches!(self, Self::Brief | Self::Details)
     }
@@ -52,38 +53,38 @@ pub enum Where {
     Page,
 }
 
-/// How sentences stand on a page.
+/// How a page lays out sentences.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Manner {
-    /// A paragraph each.
+    /// Each sentence is a paragraph.
     Plain,
-    /// A paragraph each, in smaller letters.
+    /// Each sentence is a paragraph in smaller letters.
     Soft,
     /// A list.
     List,
-    /// A list in a box under a title, which warns.
+    /// A list in a warning box. The box begins with this title.
     Box(&'static str),
-    /// A list beside the figure before it.
+    /// A list next to the figure of the previous part.
     Beside,
-    /// The answer at the top of a page: a sentence in bold letters, and a list of those behind it.
+    /// The verdict box of a page: one sentence in bold, and a list of the sentences after it.
     Verdict {
-        /// How many sentences stand before it.
+        /// Number of ordinary sentences before the bold one.
         before: usize,
         /// Whether something touches.
         touch: bool,
     },
-    /// Two columns: what stands before `: ` and what behind it; also in a terminal, if the sentences stand under no word.
+    /// Two columns: the text before `: ` and the text after it. A terminal shows two columns only if the label is empty.
     Facts,
 }
 
-/// Sentences under a word.
+/// Sentences with a label in front.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Sentences {
-    /// The word before the first line in a terminal.
+    /// The label before the first line in a terminal.
     pub label: &'static str,
     /// The sentences.
     pub lines: Vec<String>,
-    /// How they stand on a page.
+    /// Their layout on a page.
     pub manner: Manner,
 }
 
@@ -95,7 +96,7 @@ impl Sentences {
         if self.label.is_empty() {
             return facts(&self.lines);
         }
-        // The first fact has the word for its name, as in `method: exact` under `Method`.
+        // If the first fact is named like the label, as in `method: exact` with the label `Method`, its name is left out.
         let name = format!("{}: ", self.label.to_lowercase());
         let text = self.lines.join("\n");
         paragraph(self.label, text.strip_prefix(&name).unwrap_or(&text))
@@ -107,15 +108,15 @@ impl Sentences {
 pub enum Part {
     /// A heading on a page.
     Heading(String),
-    /// A heading on a page that begins a new sheet of paper.
+    /// The heading of an appendix. In print it starts a new sheet.
     Appendix(String),
-    /// Sentences.
+    /// Sentences with their label and layout.
     Words(Sentences),
     /// A table.
     Table(Grid),
     /// A place for the figure of this name on a page.
     Figure(&'static str),
-    /// A text as it is: markup on a page; in a terminal, for example, commands to be copied.
+    /// Text that is printed unchanged. On a page it is HTML; in a terminal it is, for example, commands to copy.
     Markup(String),
 }
 
@@ -124,7 +125,7 @@ pub enum Part {
 pub struct Answer<'a> {
     parts: Vec<(Where, Part)>,
     facts: BTreeMap<&'static str, Value>,
-    /// The whole JSON, if it is no collection of facts.
+    /// Makes the JSON, if it is not made from `facts`.
     json: Option<Box<dyn Fn() -> String + 'a>>,
     csv: Option<Box<dyn Fn() -> String + 'a>>,
 }
@@ -144,7 +145,7 @@ impl<'a> Answer<'a> {
         Self::default()
     }
 
-    /// An answer that is a text as it is, in whatever form.
+    /// Returns an answer that is this text in every printed form: for people, as CSV and as JSON.
     pub fn verbatim(text: String) -> Self {
         let (csv, json) = (text.clone(), text.clone());
         Self::new()
@@ -153,20 +154,20 @@ impl<'a> Answer<'a> {
             .with_json(move || json.clone())
     }
 
-    /// Returns the answer with one part more.
+    /// Returns the answer with one more part.
     #[must_use]
     pub fn part(mut self, place: Where, part: Part) -> Self {
         self.parts.push((place, part));
         self
     }
 
-    /// Returns the answer with sentences under a word, if there are any.
+    /// Adds sentences with a label. Adds nothing if there are no sentences.
     #[must_use]
     pub fn say(self, place: Where, label: &'static str, lines: Vec<String>) -> Self {
         self.say_as(place, Manner::Plain, label, lines)
     }
 
-    /// Returns the answer with sentences that stand on a page in this manner, if there are any.
+    /// Adds sentences with a label and a layout for pages. Adds nothing if there are no sentences.
     #[must_use]
     pub fn say_as(self, place: Where, manner: Manner, label: &'static str, lines: Vec<String>) -> Self {
         if lines.is_empty() {
@@ -175,7 +176,7 @@ impl<'a> Answer<'a> {
         self.part(place, Part::Words(Sentences { label, lines, manner }))
     }
 
-    /// Returns the answer with a table, if it has rows.
+    /// Adds a table. Adds nothing if it has no rows.
     #[must_use]
     pub fn table(self, place: Where, grid: Grid) -> Self {
         if grid.is_empty() {
@@ -185,32 +186,32 @@ impl<'a> Answer<'a> {
         }
     }
 
-    /// Returns the answer with a heading on its page.
+    /// Adds a heading to the page.
     #[must_use]
     pub fn heading(self, text: impl Into<String>) -> Self {
         self.part(Where::Page, Part::Heading(text.into()))
     }
 
-    /// Returns the answer with a heading on its page that begins a new sheet of paper.
+    /// Adds the heading of an appendix to the page. In print it starts a new sheet.
     #[must_use]
     pub fn appendix(self, text: impl Into<String>) -> Self {
         self.part(Where::Page, Part::Appendix(text.into()))
     }
 
-    /// Returns the answer with a figure on its page.
+    /// Adds a figure to the page.
     #[must_use]
     pub fn figure(self, name: &'static str) -> Self {
         self.part(Where::Page, Part::Figure(name))
     }
 
-    /// Returns the answer with a fact for programs.
+    /// Adds a fact for programs.
     #[must_use]
     pub fn fact(mut self, name: &'static str, value: impl Into<Value>) -> Self {
         self.facts.insert(name, value.into());
         self
     }
 
-    /// Returns the answer with this JSON in place of its facts.
+    /// Sets the JSON. It replaces the facts.
     #[must_use]
     pub fn with_json(self, json: impl Fn() -> String + 'a) -> Self {
         Self {
@@ -219,7 +220,7 @@ impl<'a> Answer<'a> {
         }
     }
 
-    /// Returns the answer with this table for programs.
+    /// Sets the table for programs.
     #[must_use]
     pub fn with_csv(self, csv: impl Fn() -> String + 'a) -> Self {
         Self {
@@ -228,12 +229,12 @@ impl<'a> Answer<'a> {
         }
     }
 
-    /// The parts, each with where people read it.
+    /// Returns the parts, each with the place where it is shown.
     pub fn parts(&self) -> &[(Where, Part)] {
         &self.parts
     }
 
-    /// The answer in a form; without a table for programs the CSV is empty.
+    /// Returns the answer in this form. The CSV is empty if the answer has no table for programs.
     pub fn text(&self, form: Form) -> String {
         match form {
             Form::Brief => self.terminal(false),

@@ -61,7 +61,9 @@ pub(super) fn run(bench: &mut Bench, rounds: u32) -> Result<(), String> {
         outcome.map_err(|broken: String| format!("power failure {round}: {broken}"))?;
         unmounted?;
     }
-    println!("{rounds} power failures, {finished} of them after exit code 0: no finished table lost, the right one in the end.");
+    println!(
+        "After {rounds} power failures, {finished} of them after exit code 0, no finished table was lost and each was right in the end."
+    );
     Ok(())
 }
 

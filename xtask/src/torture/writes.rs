@@ -42,12 +42,12 @@ pub(super) fn run(bench: &Bench) -> Result<(), String> {
             killed += 1;
         }
     }
-    println!("{tried} refused calls of the system: exit code 1, or the right table.");
-    println!("{killed} kills at a call of the system: the same command ends.");
+    println!("After each of {tried} refused system calls, the program ended with exit code 1 or wrote the right table.");
+    println!("After each of {killed} kills at a system call, the same command finished the work.");
     Ok(())
 }
 
-/// Kills the program before a system call; this command must then end what was begun.
+/// Kills the program before a system call. The same command must then finish the work.
 fn killed_at(bench: &Bench, calls: &str, at: usize) -> Result<(), String> {
     let folder = bench.folder("writes")?;
     let inject = format!("inject={calls}:signal=SIGKILL:when={at}");
@@ -70,7 +70,7 @@ fn traced(bench: &Bench, folder: &Path, more: &[&str]) -> Command {
     command
 }
 
-/// Number of such calls.
+/// Counts the system calls of a kind in a sweep.
 fn count(bench: &Bench, calls: &str) -> Result<usize, String> {
     let folder = bench.folder("writes")?;
     let trace = format!("trace={calls}");

@@ -1,4 +1,4 @@
-//! Runs from which effects are computed.
+//! Makes the runs that show the effects of pounding.
 
 use pounding_motion::Record;
 use pounding_scene::{Error, Method, RunResult, Scene, Simulation};
@@ -7,7 +7,7 @@ use pounding_text::Refused;
 
 use crate::peaks::FloorPeaks;
 
-/// A change of the record, and the tolerance of the run.
+/// A case: how it changes the record, and the tolerance of its run.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct EffectCase {
     reversed: bool,
@@ -18,7 +18,7 @@ pub(super) struct EffectCase {
     tolerance: f64,
 }
 
-/// Collisions of a floor on both sides.
+/// Collisions of a floor with its left and right neighbours together.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct FloorHits {
     /// Number of collisions.
@@ -32,7 +32,7 @@ pub(super) struct FloorHits {
 /// Answer of a case for one floor.
 #[derive(Debug)]
 pub(super) struct FloorAnswer {
-    /// Peaks alone and beside the neighbours.
+    /// Peaks of the floor without its neighbours, and with them.
     pub(super) peaks: [FloorPeaks; 2],
     pub(super) hits: FloorHits,
 }
@@ -45,12 +45,12 @@ pub(super) struct CaseAnswer {
 
 /// Change of the record: one per cent.
 const CHANGE: f64 = 0.01;
-/// Change of the record in the check, far above rounding.
+/// Relative change of the record in the check run, which estimates the error \[–\]. It is far larger than rounding errors.
 const SLIGHT: f64 = 1e-12;
-/// Tolerances of the exact method, and of the check.
+/// Tolerances of the exact method: the second in the check run, the first in all other runs.
 const TOLERANCES: [f64; 2] = [1e-16, 1e-12];
 
-/// Returns all cases: those of the scene's direction, then those of reversed shaking in the same order.
+/// Returns all cases. The first half has the direction of the scene; the second half repeats it with reversed shaking.
 pub(super) fn cases() -> Vec<EffectCase> {
     let both = [false, true].into_iter();
     both.flat_map(|reversed| {
@@ -75,14 +75,14 @@ pub(super) fn cases() -> Vec<EffectCase> {
 impl EffectCase {
     /// Index of the unchanged record among the cases of one direction.
     pub(super) const AS_IT_IS: usize = 0;
-    /// Index of the check among the cases of one direction; changes by one per cent follow.
+    /// Index of the check run among the cases of one direction. The cases after it change the record by one per cent.
     pub(super) const CHECK: usize = 1;
 
     pub(super) fn answer(self, prepared: &Simulation) -> Result<CaseAnswer, Error> {
         let changed = prepared.under(|record| self.change(record))?;
         let scene = Scene {
             name: format!("{}{}", changed.scene().name, self.words()),
-            // A slower record takes longer. A shorter run would compare another part of it.
+            // A slower record lasts longer. The run must last as long, or it would miss the end of the record.
             duration_s: Some(prepared.duration() * self.stretch.max(1.0)),
             method: Method::Exact {
                 tolerance: self.tolerance,
@@ -105,7 +105,7 @@ impl EffectCase {
         })
     }
 
-    /// Describes the change in the message of a run that fails.
+    /// Describes the change of the record, for the error message of a failed run.
     fn words(self) -> String {
         let per_cent = |factor: f64, words: [&str; 2]| {
             let change = 100.0 * (factor - 1.0);
@@ -141,7 +141,7 @@ impl FloorHits {
     }
 }
 
-/// Returns the scene's rule for impacts at one instant; other methods than the exact one have only the usual rule.
+/// Returns how the scene treats several impacts at the same instant. Only the exact method has a choice; all others solve them together.
 fn simultaneous_impacts(method: Method) -> SimultaneousImpacts {
     match method {
         Method::Exact { simultaneous_impacts, .. } => simultaneous_impacts,

@@ -1,25 +1,28 @@
-//! Motions that are components of one record. They belong to one event and are not independent.
+//! Finds motions that are components of one record. Such motions belong to one event and are not independent.
 
 use std::collections::BTreeSet;
 
 use super::copies::Copies;
 use super::{ReadMotion, SuiteMotion};
 
-/// Largest difference between the times of components of one record \[s\]. Some formats leave out the fraction of a second, and channels
-/// begin one after the other.
+/// Largest difference between the times of components of one record \[s\]. The times may differ a little, because some formats leave out
+/// fractions of a second and some channels start later than others.
 const SAME_TIME: u64 = 10;
 
-/// Numbers the events of the motions that shake rows, from 0 in the order of the motions. Returns the number of events, and the pairs of
-/// motions from two events that differ only by a factor. Both events of such a pair become one.
+/// Gives each motion that shakes rows the number of its event. Numbers start at 0 and follow the order of the motions.
+///
+/// Returns the number of events. It also returns pairs of motions that differ only by a factor although nothing else shows that they belong
+/// together; it then merges their two events.
 ///
 /// The motions of one file belong to one event, and so do copies. Two other motions belong to one event:
 ///
 /// - if they have the same record number of PEER;
-/// - if they have the same station, and the same time or else the same event;
-/// - if they have the same title, and each motion with this title has another direction;
-/// - if their names differ only in the direction.
+/// - if they have the same station and the same time, or the same station and event if their times cannot be compared;
+/// - if they have the same title, no two motions with this title have the same direction, and their event texts do not differ;
+/// - if they are in the same folder and their names differ only in the direction.
 ///
-/// Different record numbers, stations or times keep them apart.
+/// Motions of two files with different record numbers stay apart. If either has no record number, different stations or times keep them
+/// apart. Copies always belong together.
 pub(super) fn number(all: &mut [ReadMotion], copies: &Copies) -> (usize, Vec<(String, String, f64)>) {
     let shaking = |index: &usize| all[*index].reason.is_none();
     let shaking: Vec<usize> = (0..all.len()).filter(shaking).collect();
@@ -40,7 +43,7 @@ pub(super) fn number(all: &mut [ReadMotion], copies: &Copies) -> (usize, Vec<(St
         }
     }
     let named = |index: usize| all[index].motion.name.clone();
-    // Components of one record may well be alike.
+    // Report only pairs from different events: components of one record are often similar.
     let alike = copies.alike.iter().filter(|(one, other, _)| join(*one, *other));
     let alike = alike.map(|(one, other, factor)| (named(*one), named(*other), *factor));
     let alike = alike.collect();
@@ -93,13 +96,14 @@ fn are_of_one_record(one: &SuiteMotion, other: &SuiteMotion, several: &BTreeSet<
     if station == Some(true) && time.or(event) == Some(true) {
         return true;
     }
-    // The text of an event may name the component, so that different texts prove nothing.
+    // The text of an event may name the component. Different texts therefore rule out only the match by title.
     let title = own.title.as_ref().filter(|title| !several.contains(*title));
     let by_title = title.is_some() && own.title == others.title && event != Some(false);
     by_title || (one.path.parent() == other.path.parent() && one.named.same_record(&other.named))
 }
 
-/// Whether two times are equal; `None` if they are not dates, or not written in the same form.
+/// Whether two times agree: within 10 s in ISO form, otherwise letter by letter. Returns `None` if a time is missing or is no date, or if
+/// only one is in ISO form.
 fn same_time(one: Option<&str>, other: Option<&str>) -> Option<bool> {
     let (one, other) = (one?, other?);
     let is_date = |text: &str| text.bytes().filter(u8::is_ascii_digit).count() >= 8;
@@ -110,7 +114,8 @@ fn same_time(one: Option<&str>, other: Option<&str>) -> Option<bool> {
     }
 }
 
-/// Converts `1999-09-20T17:47:15` to seconds, with 31 days in each month. This matters only at midnight after a shorter month.
+/// Converts a time such as `1999-09-20T17:47:15` to seconds. It counts 31 days for every month, which is wrong only across midnight at the
+/// end of a shorter month.
 fn seconds(time: &str) -> Option<i64> {
     let parts = time.split(['-', 'T', ':']).map(str::parse);
     let parts: Vec<i64> = parts.collect::<Result<_, _>>().ok()?;

@@ -3,10 +3,12 @@ use crate::law::{About, Exact, Law, Name};
 use crate::parameter::{FACTOR, HERTZ};
 use crate::{Parameter, approach_damper};
 
-/// Hertz-damp: a Hertz spring times a factor of the rate, F = max(0, β̄ δ^1.5 (1 + a δ̇/v₀)), v₀ the approach speed.
+/// The Hertz-damp law multiplies the force of a Hertz spring by a factor that grows with the deformation rate.
 ///
-/// The literature has four formulas for a. In a free impact the factor stays above 0. The clamp acts only if other forces drive the pair
-/// apart faster than v₀/a. Slower touches than 1 mm/s count as touches at 1 mm/s.
+/// The force is F = max(0, β̄ δ^1.5 (1 + a δ̇/v₀)), and v₀ is the approach speed.
+///
+/// This crate has four formulas for a, each under its own name. In a free impact 1 + a δ̇/v₀ stays above 0. The max(0, …) matters only if
+/// other forces drive the pair apart faster than v₀/a. A touch at less than 1 mm/s is computed with v₀ = 1 mm/s.
 #[derive(Debug, Default, Clone, Copy, PartialEq)]
 pub struct HertzDamp {
     /// Impact stiffness β̄ \[N/m^1.5\], > 0.

@@ -1,4 +1,4 @@
-//! The answer of a run, once, for the terminal and the page; `summary.json` is the answer for programs.
+//! Builds the answer of a run, which both the terminal and the page show. Programs read `summary.json`.
 
 mod brief;
 mod effects;
@@ -16,8 +16,8 @@ use crate::page::{BEFORE, UNUSUAL, sentence};
 use crate::{InWords, Report, Summary};
 
 impl Report<'_> {
-    /// The answer: whether structures touch, how hard, the effects on the buildings, and how sure these are. Its JSON is the
-    /// [`Summary`].
+    /// Returns the answer. It says whether structures touch, how hard, what this does to the buildings, and how accurate these results are.
+    /// Its JSON is the [`Summary`].
     pub fn answer(&self) -> Answer<'_> {
         let (prepared, review) = (self.prepared, self.review());
         let (summary, words) = (self.summary(), InWords::of(prepared, review));
@@ -64,7 +64,7 @@ impl Report<'_> {
             .with_json(|| self.summary().to_json())
     }
 
-    /// Adds the facts of the run: the scene, its ground motion, the method, and where the energy went.
+    /// Adds the facts of the run: its scene, ground motion, method, errors, histories, work and energy.
     fn made_of<'a>(&self, answer: Answer<'a>, summary: &Summary) -> Answer<'a> {
         let (prepared, review) = (self.prepared, self.review());
         answer
@@ -90,7 +90,7 @@ impl Report<'_> {
             .say_as(Where::Details, Manner::Facts, "Energy", facts::ledger(summary))
     }
 
-    /// Adds the results of both directions of shaking, the worse one first, if both ran.
+    /// Adds a sentence for each direction of shaking, if both were requested. The worse direction comes first, unless the other run failed.
     fn both_directions<'a>(&self, answer: Answer<'a>) -> Answer<'a> {
         let Some(directions) = &self.directions else {
             return answer;
@@ -102,10 +102,14 @@ impl Report<'_> {
         };
         answer
             .say_as(Where::Everywhere, manner, "Answer", directions.sentences.to_vec())
-            .say(Where::Page, "", vec!["In the direction of the scene:".into()])
+            .say(
+                Where::Page,
+                "",
+                vec!["The results below are for the direction of shaking that the scene gives.".into()],
+            )
     }
 
-    /// Adds the warnings, and what helps against them.
+    /// Adds the warnings, or says that there are none. If a warning concerns errors, it also names the command that helps.
     fn warnings<'a>(&self, answer: Answer<'a>) -> Answer<'a> {
         let mut warnings = self.notices();
         let is_error = |one: &Warning| matches!(one, Warning::Error { .. });
@@ -116,7 +120,7 @@ impl Report<'_> {
             let besides = if self.prepared.doubts().is_empty() {
                 "none"
             } else {
-                "none besides what is unusual"
+                "none, apart from the unusual values above"
             };
             return answer.say(Where::Terminal, "Warnings", vec![besides.into()]);
         }
@@ -124,7 +128,7 @@ impl Report<'_> {
     }
 }
 
-/// The sentence in place of an empty table of pairs.
+/// Returns the sentence that replaces the table of pairs if the scene has no pairs.
 fn no_pairs(summary: &Summary) -> Vec<String> {
     let none = summary.pairs.is_empty();
     none.then(|| "none: no contact is modelled".into()).into_iter().collect()
@@ -132,7 +136,7 @@ fn no_pairs(summary: &Summary) -> Vec<String> {
 
 const MORE: &str = "--details prints every floor, the record, errors and work; --out FOLDER writes a report; `pounding explain WORD` says what a word means";
 
-/// A heading that comes with its table.
+/// Adds a heading and its table, or neither if the table is empty.
 trait HeadingOf {
     fn heading_of(self, title: &str, table: Grid) -> Self;
 }

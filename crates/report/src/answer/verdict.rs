@@ -1,4 +1,4 @@
-//! The answer in a few sentences: whether they touch, how often, how hard, and how sure that is.
+//! The answer in a few sentences: whether floors touch, how often, how hard, and how accurate these results are.
 
 use pounding_scene::{Errors, PairQuantity, QuantityGroup, Review};
 use pounding_text::{Manner, NONE, percent, short};
@@ -8,7 +8,7 @@ use crate::summary::{CollisionSummary, PairSummary, Summary};
 /// More pairs than this are counted, not named.
 const MOST: usize = 5;
 
-/// The pairs that touch, those first with the largest impulse.
+/// Returns the pairs that touch. Pairs with a larger impulse come first.
 fn touching(summary: &Summary) -> Vec<(&PairSummary, &CollisionSummary)> {
     let pairs = summary.pairs.iter();
     let mut touching: Vec<_> = pairs.filter_map(|pair| Some((pair, pair.largest.as_ref()?))).collect();
@@ -24,7 +24,7 @@ pub(super) fn manner(summary: &Summary) -> Manner {
     }
 }
 
-/// The answer, its assumptions, and how sure it is.
+/// Returns the answer, its assumptions, and how accurate it is.
 pub(super) fn lines(summary: &Summary, review: &Review) -> Vec<String> {
     let (touching, exact) = (touching(summary), exact_collisions(summary));
     let mut lines = if touching.is_empty() {
@@ -55,8 +55,8 @@ fn times(n: usize) -> String {
     }
 }
 
-/// Number of collisions of the exact run, where it was measured and can be compared: a pair that rests has as many impacts as
-/// steps.
+/// Returns the number of collisions in the exact run. It is `None` if it was not measured, or if a pair rests: such a pair has as many
+/// impacts as steps.
 fn exact_collisions(summary: &Summary) -> Option<usize> {
     let pairs = summary.pairs.iter();
     let exact = pairs.map(|pair| {
@@ -66,7 +66,7 @@ fn exact_collisions(summary: &Summary) -> Option<usize> {
     exact.sum()
 }
 
-/// The number of touches in exact motion, if it differs.
+/// Names the number of touches in exact motion. The text is empty if the number does not differ.
 fn against(n: usize, exact: Option<usize>) -> String {
     match exact {
         Some(0) => " in this run; exact motion has no touch".into(),
@@ -75,7 +75,7 @@ fn against(n: usize, exact: Option<usize>) -> String {
     }
 }
 
-/// The sentence for a run without a touch whose exact motion has one.
+/// Returns the sentences for a run without a touch whose exact motion has one.
 fn missed(summary: &Summary) -> Vec<String> {
     let pairs = summary.pairs.iter().filter_map(|pair| {
         let exact = pair.errors.as_ref()?.exact_collisions;
@@ -92,7 +92,7 @@ fn missed(summary: &Summary) -> Vec<String> {
     std::iter::once(first).chain(pairs).collect()
 }
 
-/// The sentence for a run in which nothing touches.
+/// Returns the sentences for a run in which nothing touches.
 fn apart(summary: &Summary, review: &Review) -> Vec<String> {
     let pairs = summary.pairs.iter();
     let nearest = pairs.min_by(|one, other| one.least_opening().total_cmp(&other.least_opening()));
@@ -126,7 +126,7 @@ fn apart(summary: &Summary, review: &Review) -> Vec<String> {
     ]
 }
 
-/// What happens between two neighbours.
+/// Describes the collisions of a pair.
 fn collisions(pair: &PairSummary, largest: &CollisionSummary) -> String {
     let times = match pair.collisions() {
         1 => "one collision".into(),

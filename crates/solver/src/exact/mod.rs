@@ -197,7 +197,7 @@ impl Agenda {
     }
 }
 
-/// Integrates a row, with the signature of all methods. Uses only the end of the clock.
+/// Integrates a row. Every method has a `run` function with these arguments. This one uses only the end of the clock.
 pub(crate) fn run<Column: Hysteretic, R: Recorder>(
     settings: Exact,
     row: &Row<Column>,

@@ -142,7 +142,7 @@ struct CentralDifferenceRun<'a, Column: RestoringForce> {
     substeps: u32,
 }
 
-/// Integrates a row, with the signature of all methods.
+/// Integrates a row. Every method has a `run` function with these arguments.
 pub(crate) fn run<Column: RestoringForce, R: Recorder>(
     settings: CentralDifference,
     row: &Row<Column>,

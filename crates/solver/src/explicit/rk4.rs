@@ -77,7 +77,7 @@ struct Scratch<Memory> {
     impacts: Impacts,
 }
 
-/// Integrates a row, with the signature of all methods.
+/// Integrates a row. Every method has a `run` function with these arguments.
 pub(crate) fn run<Column: RestoringForce, R: Recorder>(
     _: Rk4,
     row: &Row<Column>,

@@ -75,7 +75,7 @@ struct Scratch<Memory> {
     dashpots: Option<Dashpots>,
 }
 
-/// Integrates a row, with the signature of all methods.
+/// Integrates a row. Every method has a `run` function with these arguments.
 pub(crate) fn run<Column: RestoringForce, R: Recorder>(
     settings: Verlet,
     row: &Row<Column>,

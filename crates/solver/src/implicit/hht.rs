@@ -4,9 +4,9 @@
 //! with β = (1−α)²/4 and γ = 1/2 − α. Its equation weighs all forces r except inertia over both ends of the step: m ü⁺ + (1+α) r⁺ − α r =
 //! 0. Here r = c u̇ + `f_s` + m `a_g` − F. The pounding forces of compliant pairs are included.
 //!
-//! The accelerations are therefore not in equilibrium with the other forces at a node. Where the velocity jumps, they change by the change
-//! of the damping force, as if the velocity one step before had jumped as well. A restart from equilibrium would give the two structures of
-//! a compliant pair different impulses when another neighbour hits either of them.
+//! The accelerations therefore do not satisfy the equation of motion at the end of a step. After a velocity jump, each acceleration is
+//! adjusted to the new damping force, as if the velocity one step earlier had jumped too. A restart from equilibrium would give the two
+//! structures of a compliant pair different impulses when another neighbour hits either of them.
 
 use crate::error::require;
 use crate::implicit::newmark::Family;
@@ -28,7 +28,7 @@ impl Hht {
     }
 }
 
-/// Integrates a row, with the signature of all methods. Clusters form as in Newmark's method.
+/// Integrates a row. Every method has a `run` function with these arguments. Clusters form as in Newmark's method.
 pub(crate) fn run<Column: RestoringForce, R: Recorder>(
     settings: Hht,
     row: &Row<Column>,

@@ -60,7 +60,7 @@ struct Solution {
     joint: Option<Joint>,
 }
 
-/// Integrates a row, with the signature of all methods. Clusters of compliant pairs form as in Newmark's method.
+/// Integrates a row. Every method has a `run` function with these arguments. Clusters of compliant pairs form as in Newmark's method.
 pub(crate) fn run<Column: RestoringForce, R: Recorder>(
     settings: MoreauJean,
     row: &Row<Column>,

@@ -1,7 +1,7 @@
 //! Newmark's method with Newton iterations and a consistent tangent.
 //!
-//! Source: N. M. Newmark, *J. Engng Mech. Div. ASCE* 85 (1959) 67; Chopra, *Dynamics of Structures*, 5.4 and 5.7. The paper compares its
-//! results with this method at Δt = 0.005 s.
+//! Source: N. M. Newmark, *J. Engng Mech. Div. ASCE* 85 (1959) 67; Chopra, *Dynamics of Structures*, 5.4 and 5.7. The paper that this
+//! project reproduces used this method with Δt = 0.005 s to check its results.
 
 use crate::error::require;
 use crate::implicit::equation::Slopes;
@@ -11,22 +11,22 @@ use crate::model::ground::Ground;
 use crate::span::{Load, Weights};
 use crate::{Course, Excitation, Recorder, RestoringForce, Row, RunError, Work};
 
-/// Settings of Newmark's method: u and u̇ follow from the accelerations at both ends of a step.
+/// Settings of Newmark's method, which computes u and u̇ from the accelerations at both ends of a step.
 ///
-/// Average acceleration is β = 1/4, γ = 1/2 ([`Newmark::AVERAGE_ACCELERATION`]); linear acceleration is β = 1/6,
-/// γ = 1/2 ([`Newmark::LINEAR_ACCELERATION`]). Order 2 for γ = 1/2, else 1.
+/// Average acceleration is β = 1/4, γ = 1/2 ([`Newmark::AVERAGE_ACCELERATION`]); linear acceleration is β = 1/6, γ = 1/2
+/// ([`Newmark::LINEAR_ACCELERATION`]). The method has order 2 if γ = 1/2, and order 1 otherwise.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Newmark {
     /// β \[–\], 0 ..= 1/2.
     pub beta: f64,
-    /// γ \[–\], 1/2 ..= 1; below 1/2 the method amplifies.
+    /// γ \[–\], 1/2 ..= 1. A smaller γ would make vibrations grow.
     pub gamma: f64,
 }
 
 impl Newmark {
     /// Constant average acceleration, unconditionally stable for linear structures.
     pub const AVERAGE_ACCELERATION: Self = Self { beta: 0.25, gamma: 0.5 };
-    /// Linear acceleration, stable for Δt < 0.551 T.
+    /// Linear acceleration. It is stable for linear structures if Δt is less than 0.551 times the shortest period.
     pub const LINEAR_ACCELERATION: Self = Self {
         beta: 1.0 / 6.0,
         gamma: 0.5,
@@ -43,26 +43,26 @@ impl Newmark {
 pub(crate) struct Family {
     pub(crate) beta: f64,
     pub(crate) gamma: f64,
-    /// Part of the forces that the equation takes from the start of the step, ≤ 0.
+    /// α of the HHT method \[–\], ≤ 0. The equation weighs the forces at the start of the step by −α and those at the end by 1 + α.
     pub(crate) alpha: f64,
-    /// Whether accelerations are in equilibrium at a node, including after a jump.
+    /// Whether the accelerations at the end of a step satisfy the equation of motion there, also after a velocity jump.
     pub(crate) in_equilibrium: bool,
 }
 
-/// A run of a method of this family.
+/// The state of a run by Newmark's or the HHT method.
 pub(crate) struct NewmarkRun<Memory> {
     family: Family,
     slopes: Slopes,
     scratch: Scratch<Memory>,
-    /// Loads one step before; the acceleration depends on them.
+    /// Loads at the start of the previous step. The accelerations depend on them only if α < 0.
     earlier: Vec<Option<Load>>,
 }
 
-/// Integrates a row, with the signature of all methods.
+/// Integrates a row. Every method has a `run` function with these arguments.
 ///
-/// Each building first finds its equilibrium alone. Buildings that then overlap find it again, together. A cluster grows while it overlaps
-/// further neighbours, and nothing outside a cluster changes its bits. Impulsive laws act at the end of the step in which an approaching
-/// overlap is found, as a jump of the velocities.
+/// Each building first finds its equilibrium alone. Then the buildings whose compliant contacts overlap are solved again, together, as a
+/// cluster. A cluster grows as long as it overlaps another neighbour. Buildings outside it do not change a bit of its result.
+/// An impulsive law changes the velocities at the end of a step. It acts if the gap is closed there and the neighbours approach each other.
 pub(crate) fn run<Column: RestoringForce, R: Recorder>(
     settings: Newmark,
     row: &Row<Column>,
@@ -92,7 +92,7 @@ impl Family {
         let dt = course.clock.time_step;
         let begin = |ground: Ground<'_>| NewmarkRun {
             family: self,
-            // Divided by 1+α, so that Newton's method sees the forces at the end of the step with weight 1.
+            // The equation is divided by 1+α. The forces at the end of the step then have weight 1.
             slopes: Slopes {
                 displacement: self.beta * dt * dt,
                 velocity: self.gamma * dt,
@@ -105,9 +105,10 @@ impl Family {
         march(row, excitation, course, 1, begin, recorder)
     }
 
-    /// Weights of the loads one step before, at the start and at the end of a step.
+    /// Returns three weights: of the load one step earlier, of the load at the start of the step, and of the load at its end.
     ///
-    /// At the start, m ü is (1+α) times the load there minus α times the load before. At t = 0 it is the load there.
+    /// The acceleration at the start of a step comes from the previous step: m ü is 1+α times the load at the start minus α times the load
+    /// one step earlier. At t = 0 there is no earlier load, so m ü is the load itself.
     fn weights(&self, is_first: bool) -> [f64; 3] {
         let Self { gamma, alpha, .. } = self;
         let carried = if is_first { 0.0 } else { -alpha };
@@ -148,7 +149,8 @@ impl<Column: RestoringForce> Stepping<Column> for NewmarkRun<Column::Memory> {
 }
 
 impl<Memory: Copy> NewmarkRun<Memory> {
-    /// Predicts displacements and velocities at the end of a step, without the acceleration there.
+    /// Computes the displacements and velocities at the end of a step for an acceleration of 0 there, and the part of the equation that
+    /// comes from the start of the step.
     fn predict<Column: RestoringForce<Memory = Memory>>(&mut self, row: &Row<Column>, dt: f64, ground: Ground<'_>) {
         let Family { beta, gamma, alpha, .. } = self.family;
         let states = &self.scratch.states;
@@ -164,7 +166,8 @@ impl<Memory: Copy> NewmarkRun<Memory> {
         }
     }
 
-    /// Changes accelerations by the change of damping forces, as if the velocities one step before had jumped as well.
+    /// After a velocity jump, adjusts each acceleration to the new damping force. The adjustment treats the velocities one step earlier as
+    /// if they had jumped too.
     fn change_accelerations<Column: RestoringForce<Memory = Memory>>(&mut self, row: &Row<Column>) {
         let Scratch { states, trials, .. } = &mut self.scratch;
         for (index, (trial, earlier)) in trials.iter().zip(&mut self.earlier).enumerate() {

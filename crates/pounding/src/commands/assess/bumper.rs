@@ -5,11 +5,11 @@ use pounding::text::digits;
 /// Which bumper is asked for.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum BumperAsked {
-    /// None.
+    /// No bumper.
     None,
-    /// As stiff as the hardest hit asks for.
+    /// With the stiffness that `Bumper::proposed` chooses.
     Proposed,
-    /// As stiff as this at each floor \[N/m\].
+    /// With this stiffness at each floor \[N/m\].
     Stiffness(f64),
 }
 
