@@ -30,9 +30,9 @@
 //! | [`assess`] | a row under many records: effects of pounding, required gaps | sweeps, figures |
 //! | [`sweep`] | one scene over many values | figures |
 //! | [`plot`] | figures as data, drawn to SVG and PNG | mechanics |
-//! | [`report`] | a run as a folder of tables and figures | sweeps |
+//! | [`report`] | a run or an assessment as an answer and as a folder | sweeps |
 //! | [`files`] | files written whole and durably, read within bounds, locked | what they hold |
-//! | [`text`] | numbers as people read them, tables as CSV | units |
+//! | [`text`] | numbers, tables, answers and refusals for people and programs | structures, contact |
 //!
 //! Left out: finding out who can touch whom (it is named), and units other than SI anywhere but in printed tables. The numbers of
 //! the paper and the check by a second route are crates of the workspace, `pounding-studies` and `pounding-reference`.

@@ -1,6 +1,6 @@
-//! Numbers in a form that people read, and tables as CSV and JSON.
+//! Numbers, tables, answers and refusals, for people and for programs.
 //!
-//! All other crates write the numbers in messages, tables and figures with this crate.
+//! All other crates write the numbers in messages, tables and figures with this crate. Commands print an [`Answer`]: as text, CSV or JSON.
 //!
 //! ```
 //! use pounding_text::{Cell, csv_text, rounded_up, short};
@@ -18,14 +18,18 @@
 //! assert_eq!(table, "period_s,gap_mm\n1.200,\n");
 //! ```
 //!
-//! This crate leaves out units, which the caller writes, and reading. Texts inside figures belong to `pounding-plot`. `pounding-sweep`
-//! writes its millions of rows without [`Cell`] but with the same rule.
+//! An answer also says how its parts stand on a page: [`Where`] and [`Manner`]. `pounding-report` makes the page. Texts inside figures
+//! belong to `pounding-plot`. `pounding-sweep` writes its millions of rows without [`Cell`] but with the same rule. This crate reads no
+//! files, and knows neither structures nor contact.
 //!
 //! Where to start:
 //!
+//! - [`Answer`]: sentences, tables, figures and facts of a command, once for every [`Form`].
+//! - [`Table`]: rows and columns for people, for programs or for both; [`Grid`] is the table that people read.
+//! - [`Unit`]: the ending of a name in files, the unit that people read, the factor between both, and the digits.
 //! - [`short`], [`digits`] and [`plain`]: four digits, seven digits, a number as its user wrote it.
 //! - [`rounded_up`] and [`rounded_down`]: numbers that are safe on one side.
-//! - [`Cell`] with [`csv_text`], and [`json_text`]: tables and files without NaN.
+//! - [`Cell`] and [`json_text`]: tables and files without NaN.
 //! - [`Refused`]: the reason for a refusal, in parts that become a sentence at the end.
 //! - [`visible`] and [`message`]: text for people, without letters that steer their terminal.
 
