@@ -56,7 +56,7 @@ pub use bumper::{Bumper, BumperPair, BumperRun};
 pub use bumper_effect::{BumperEffect, FloorBumperEffect, PairBumperEffect};
 pub use design::{DesignSpectrum, Eurocode8Ground};
 pub use distribution::{Distribution, wilson};
-pub use effects::{Effect, Effects, FloorEffects, Known};
+pub use effects::{Effect, Effects, FloorEffects, FloorFact, Known};
 pub use peaks::FloorPeaks;
 pub use run::{AssessedFloor, AssessedPair, AssessedRun, StiffnessFactors};
 pub use scaling::{MotionSpectrum, Scaling};

@@ -166,7 +166,6 @@ pub(crate) fn required_gap(
             scene: &scene,
             suite: &suite,
             lines: &lines.lines,
-            warnings: Vec::new(),
         };
         let unusual = folder.unusual().iter().map(ToString::to_string).collect();
         let said = [unusual, folder.warnings(), folder.records(true)].concat();

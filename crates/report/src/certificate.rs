@@ -2,7 +2,7 @@
 
 use pounding_contact::Calibration;
 use pounding_scene::{Certificate, CertificateFact, CertificateRequest, CertificateValue, DeliveredBy, FreeCollision, StepMethod};
-use pounding_text::{Answer, Cell, Manner, NONE, Refused, Shown, Table, Where, digits, short};
+use pounding_text::{Answer, Cell, Manner, NONE, Refused, Shown, Table, Unit, Where, digits, short};
 use serde_json::{Value, json};
 
 /// A number of a certificate, on a line for programs.
@@ -52,26 +52,33 @@ pub fn certificate(
             .table(Where::Terminal, table(&methods).grid())
             .say(Where::Terminal, "Notes", notes)
     };
+    let delivered = table(&methods).json();
     Ok(answer
-        .fact("methods", methods.iter().map(method_json).collect::<Vec<_>>())
+        .fact("methods", delivered)
         .with_csv(move || numbers(&facts, &methods).csv()))
 }
 
 const NOTES: &str = "Least and largest e over sixteen places in the step at which the gap closes. Error: the largest \
                      distance from the e that the exact method delivers.";
 
-/// What every method delivers.
+/// What every method delivers, for people and for programs.
 fn table(methods: &[DeliveredBy]) -> Table<'_, &DeliveredBy> {
     let table = Table::of(methods)
-        .shown("Method", |one| one.method.label())
-        .shown_in("ms", "Step", |one| short(1e3 * one.step));
-    let headings = ["Steps per contact", "Least e", "Largest e", "Error"];
-    headings.into_iter().enumerate().fold(table, |table, (index, heading)| {
-        table.shown(heading, move |one| match one.numbers() {
-            None if index == 0 => Shown::from("fails"),
-            numbers => numbers.and_then(|numbers| numbers[index].1).map(short).into(),
-        })
-    })
+        .both("method", "Method", |one| one.method.name(), |one| one.method.label())
+        .number("time_step_s", "Step", &Unit::MILLISECOND, |one| one.step);
+    let table = DeliveredBy::NUMBERS.iter().enumerate().fold(table, |table, (index, number)| {
+        let known = move |one: &&DeliveredBy| one.delivered.as_ref().ok().map(number.of);
+        table.both(
+            number.key,
+            number.heading,
+            move |one| Cell::exact(known(one).flatten()),
+            move |one| match known(one) {
+                None if index == 0 => Shown::from("fails"),
+                number => number.flatten().map(short).into(),
+            },
+        )
+    });
+    table.column("failed", |one| one.delivered.as_ref().err().cloned())
 }
 
 fn numbers<'a>(facts: &'a [CertificateFact], methods: &'a [DeliveredBy]) -> Table<'a, CertifiedNumber<'a>> {
@@ -91,8 +98,11 @@ fn numbers<'a>(facts: &'a [CertificateFact], methods: &'a [DeliveredBy]) -> Tabl
             value,
             unit,
         };
-        let delivered = one.numbers().into_iter().flatten();
-        let delivered = delivered.map(move |(key, value)| number(key, Cell::exact(value), ""));
+        let delivered = one.delivered.as_ref().into_iter();
+        let delivered = delivered.flat_map(move |delivered| {
+            let numbers = DeliveredBy::NUMBERS.iter();
+            numbers.map(move |known| number(known.key, Cell::exact((known.of)(delivered)), ""))
+        });
         let failed = one.delivered.as_ref().err();
         let failed = failed.map(|reason| number("failed", reason.as_str().into(), ""));
         std::iter::once(number("time_step_s", Cell::exact(one.step), "s"))
@@ -111,15 +121,4 @@ fn said_json(fact: &CertificateFact) -> Value {
         CertificateValue::Number(number) => json!(number),
         CertificateValue::Words(words) => json!(words),
     }
-}
-
-fn method_json(one: &DeliveredBy) -> Value {
-    let mut method = json!({"method": one.method.name(), "time_step_s": one.step});
-    for (key, value) in one.numbers().into_iter().flatten() {
-        method[key] = json!(value);
-    }
-    if let Err(reason) = &one.delivered {
-        method["failed"] = json!(reason);
-    }
-    method
 }

@@ -22,6 +22,11 @@ pub trait UnderMotion {
     /// Responses beyond the model or codes.
     fn excesses(&self) -> &[Excess];
 
+    /// Warnings about the scene, whatever the motion.
+    fn warnings(_scene: &Scene) -> Vec<String> {
+        Vec::new()
+    }
+
     /// The facts of this motion for programs, as an object.
     fn facts(&self, scene: &Scene) -> Value;
 }
@@ -35,8 +40,6 @@ pub struct OfFolder<'a, T> {
     pub suite: &'a Suite,
     /// The findings under each motion, or why there are none.
     pub lines: &'a [MotionLine<T>],
-    /// Warnings besides those of motions.
-    pub warnings: Vec<String>,
 }
 
 /// A row of a table about a folder: a motion, and a number under it, or why there is none.
@@ -92,7 +95,7 @@ impl<'a, T: UnderMotion> OfFolder<'a, T> {
         let excesses = Excess::gathered(self.found().map(|(_, found)| found.excesses()));
         let missing = self.suite.says_missing(MotionLine::failed(self.lines).len()).into_iter();
         let said = missing.chain(excesses.iter().map(ToString::to_string));
-        said.chain(self.warnings.iter().cloned()).collect()
+        said.chain(T::warnings(self.scene)).collect()
     }
 
     /// The parts that every answer about a folder begins with, and its facts for programs.

@@ -1,7 +1,7 @@
 //! The widths that the gaps of a row need under a folder of records, for people and for programs.
 
 use pounding_assess::{RequiredGap, Rule, RuleAssessment, Separation};
-use pounding_scene::{Error, Excess, Implausible, Scene, Simulation, Structure};
+use pounding_scene::{Error, Excess, Floors, Implausible, Scene, Simulation, Structure};
 use pounding_text::{Answer, Cell, Table, Where, digits, rounded_up, short};
 use serde_json::{Value, json};
 
@@ -39,6 +39,10 @@ impl UnderMotion for GapsUnderMotion {
 
     fn excesses(&self) -> &[Excess] {
         &self.cautions
+    }
+
+    fn warnings(scene: &Scene) -> Vec<String> {
+        Floors::of(scene).map_or_else(|_| Vec::new(), |floors| floors.says_no_level())
     }
 
     fn facts(&self, scene: &Scene) -> Value {

@@ -1,45 +1,55 @@
-//! `impacts.csv`: every collision, in the order in which they begin.
+//! Every collision of a run, in the order in which they begin: as a table for people, and as `impacts.csv`.
 
+use pounding_scene::Floors;
 use pounding_solver::Collision;
+use pounding_text::{Cell, Table, digits, instant, short};
 
-use pounding_scene::{Floors, RunResult};
-use pounding_text::{Cell, csv_text};
-
-const HEADER: [&str; 11] = [
-    "pair",
-    "left",
-    "right",
-    "start_s",
-    "end_s",
-    "duration_s",
-    "approach_speed_m_per_s",
-    "impulse_n_s",
-    "peak_force_n",
-    "peak_force_time_s",
-    "start_uncertainty_s",
-];
-
-/// The file.
-pub(super) fn csv(floors: &Floors, outcome: &RunResult) -> String {
-    let collisions = outcome.collisions.all().iter();
-    csv_text(&HEADER, collisions.map(|one| row(floors, one)))
+/// A table of collisions; `heading` stands above the names of the floors.
+pub(super) fn table<'a>(floors: &'a Floors, collisions: impl Iterator<Item = &'a Collision>, heading: String) -> Table<'a, &'a Collision> {
+    let thousandths = |value: f64| short(1e-3 * value);
+    Table::of(collisions)
+        .shown(heading, |one| floors.names(one.pair).join(" – "))
+        .column("pair", |one| one.pair)
+        .column("left", |one| floors.names(one.pair)[0].clone())
+        .column("right", |one| floors.names(one.pair)[1].clone())
+        .both("start_s", ("Start", "s"), |one| exact(one.start), |one| digits(one.start))
+        .column("end_s", |one| exact(one.end))
+        .both(
+            "duration_s",
+            ("Duration", "ms"),
+            |one| exact(lasts(one)),
+            |one| short(1e3 * lasts(one)),
+        )
+        .both(
+            "approach_speed_m_per_s",
+            ("Approach speed", "m/s"),
+            |one| exact(one.approach_speed),
+            |one| one.approach_speed.map(short),
+        )
+        .both(
+            "impulse_n_s",
+            ("Impulse", "kN·s"),
+            |one| exact(one.impulse),
+            move |one| thousandths(one.impulse),
+        )
+        .both(
+            "peak_force_n",
+            ("Peak force", "kN"),
+            |one| exact(one.peak_force),
+            move |one| one.peak_force.map(thousandths),
+        )
+        .both(
+            "peak_force_time_s",
+            ("at", "s"),
+            |one| exact(one.peak_force_time),
+            |one| one.peak_force_time.map(instant),
+        )
+        .column("start_uncertainty_s", |one| exact(one.uncertainty))
 }
 
-fn row(floors: &Floors, one: &Collision) -> [Cell; 11] {
-    let [left, right] = floors.names(one.pair);
-    [
-        one.pair.into(),
-        left.into(),
-        right.into(),
-        exact(one.start),
-        exact(one.end),
-        exact(one.end - one.start),
-        exact(one.approach_speed),
-        exact(one.impulse),
-        exact(one.peak_force),
-        exact(one.peak_force_time),
-        exact(one.uncertainty),
-    ]
+/// Duration of a collision \[s\].
+fn lasts(one: &Collision) -> f64 {
+    one.end - one.start
 }
 
 /// The shortest digits that give the number back: a fixed number of digits could not tell instants of bounces apart.

@@ -191,7 +191,12 @@ impl<'a> Report<'a> {
         let page = page::html(self, &illustrations, &moving);
         let mut files = BTreeMap::from([
             (HISTORY.into(), history::csv(prepared, &motion).into_bytes()),
-            (IMPACTS.into(), impacts::csv(prepared.floors(), outcome).into_bytes()),
+            (
+                IMPACTS.into(),
+                impacts::table(prepared.floors(), outcome.collisions.all().iter(), String::new())
+                    .csv()
+                    .into_bytes(),
+            ),
             (SUMMARY.into(), summary.to_json().into_bytes()),
             (PAGE.into(), page.into_bytes()),
         ]);

@@ -42,6 +42,14 @@ pub mod tables {
         Pair::PeakForceN,
         Pair::PeakForceTimeS,
     ];
+    /// The numbers of a building whose worst floor is on the first screen.
+    pub const WORST: &[Floor] = &[
+        Floor::PeakDisplacementM,
+        Floor::PeakDriftM,
+        Floor::DriftRatio,
+        Floor::PeakShearForceN,
+        Floor::Ductility,
+    ];
     /// Structures of scenes side by side.
     pub const STRUCTURES_BESIDE: &[Floor] = &[
         Floor::PeriodS,

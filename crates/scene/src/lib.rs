@@ -54,7 +54,7 @@ pub use file::{
 };
 pub use ground_motion::{GroundMotion, Origin, SharedMotion, hexadecimal, sha256};
 pub use judge::certificate::{Certificate, CertificateRequest};
-pub use judge::certified::{CertificateFact, CertificateValue, DeliveredBy};
+pub use judge::certified::{CertificateFact, CertificateValue, DeliveredBy, DeliveredNumber};
 pub use judge::free_collision::{DeliveredRestitution, FreeCollision};
 pub use judge::implausible::Implausible;
 pub use judge::limits::{ContactLimit, FreeLimit, MethodLimits};

@@ -31,11 +31,6 @@ impl Form {
             _ => Self::Brief,
         }
     }
-
-    /// Whether this form is for people.
-    pub fn is_for_people(self) -> bool {
-        matches!(self, Self::Brief | Self::Details)
-    }
 }
 
 /// Where people read a part.
@@ -143,15 +138,6 @@ impl<'a> Answer<'a> {
     /// An answer without parts.
     pub fn new() -> Self {
         Self::default()
-    }
-
-    /// Returns an answer that is this text in every printed form: for people, as CSV and as JSON.
-    pub fn verbatim(text: String) -> Self {
-        let (csv, json) = (text.clone(), text.clone());
-        Self::new()
-            .part(Where::Terminal, Part::Markup(text))
-            .with_csv(move || csv.clone())
-            .with_json(move || json.clone())
     }
 
     /// Returns the answer with one more part.

@@ -52,7 +52,8 @@ impl Cell {
     fn csv(self) -> String {
         match self.0 {
             Content::Nothing => String::new(),
-            Content::Text(text) | Content::Number(_, text) => text,
+            Content::Text(text) => harmless(&text).into_owned(),
+            Content::Number(_, text) => text,
             Content::Truth(truth) => truth.to_string(),
             Content::Nested(value) => value.to_string(),
         }
@@ -93,7 +94,7 @@ impl From<String> for Cell {
 
 impl From<&str> for Cell {
     fn from(text: &str) -> Self {
-        Self(Content::Text(harmless(text).into_owned()))
+        Self(Content::Text(text.into()))
     }
 }
 

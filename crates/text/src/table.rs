@@ -114,6 +114,21 @@ impl<'a, Row: 'a> Table<'a, Row> {
         self.shown((heading.into(), unit), text)
     }
 
+    /// Returns the table with one column more for people: a number \[SI\] in the unit that they read.
+    #[must_use]
+    pub fn shown_number<N: Into<Option<f64>>>(
+        self,
+        heading: impl Into<String>,
+        unit: &'static Unit,
+        number: impl Fn(&Row) -> N + 'a,
+    ) -> Self {
+        let gravity = self.gravity;
+        self.shown((heading.into(), unit.shown), move |row| {
+            let number: Option<f64> = number(row).into();
+            number.map(|value| unit.text_of(value, gravity))
+        })
+    }
+
     /// Returns the table with one column more for both: a number \[SI\], which people read in their unit. JSON makes an object of names
     /// with a dot: `width_m.median`.
     #[must_use]

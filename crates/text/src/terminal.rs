@@ -115,8 +115,7 @@ fn lines_of(row: &[Shown]) -> Vec<Vec<String>> {
         let below = cell.below.clone().unwrap_or_default();
         if column == 0 { format!("  {below}") } else { below }
     });
-    // What stands below a name alone is for pages.
-    let has_below = row.iter().skip(1).any(|cell| cell.below.is_some());
+    let has_below = row.iter().any(|cell| cell.below.is_some());
     std::iter::once(texts).chain(has_below.then(|| below.collect())).collect()
 }
 

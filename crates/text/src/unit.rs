@@ -36,6 +36,8 @@ impl Unit {
     pub const MILLISECOND: Self = Self::new("_s", "s", "ms", |_| 1e3, short);
     /// A length, in millimetres.
     pub const METRE: Self = Self::new("_m", "m", "mm", |_| 1e3, short);
+    /// A gap as its user wrote it, in millimetres.
+    pub const GAP: Self = Self::METRE.read(digits);
     /// A width, to a tenth of a millimetre.
     pub const WIDTH: Self = Self::METRE.read(|millimetres| digits((millimetres * 10.0).round() / 10.0));
     /// A width that is needed: rounded up to a tenth of a millimetre.

@@ -6,6 +6,8 @@
 mod cases;
 mod csv;
 
+pub use csv::FloorFact;
+
 use pounding_scene::{Error, Simulation, parallel};
 use serde::{Deserialize, Serialize};
 

@@ -181,7 +181,7 @@ pub(crate) fn run(args: &Arguments) -> Result<String, Refused> {
 impl Arguments {
     /// Rows and settings, the same for every motion.
     fn asked<'a>(&self, scene: Scene, records: &'a Suite) -> Result<Asked<'a>, Refused> {
-        let message = |error: Error| error.in_file(&self.scene).to_string();
+        let message = |error: Error| Refused::from(error.in_file(&self.scene));
         let scene = Scene {
             method: Method::EXACT,
             ..scene
@@ -214,7 +214,7 @@ impl Arguments {
 
     /// The runs that were finished, summed up; `None` if there are none.
     fn report(&self, asked: &Asked<'_>, lines: &[suite::MotionLine<RunsUnderMotion>]) -> Result<Option<AssessmentReport>, Refused> {
-        let message = |error: Error| error.in_file(&self.scene).to_string();
+        let message = |error: Error| Refused::from(error.in_file(&self.scene));
         let bumpers = match self.bumper {
             BumperAsked::None => Vec::new(),
             BumperAsked::Proposed => asked.bumpers(lines, None).map_err(message)?,

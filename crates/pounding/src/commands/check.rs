@@ -7,7 +7,7 @@ use std::path::PathBuf;
 use pounding::report::{method_facts, other_direction_exact, record_facts};
 use pounding::scene::{Columns, ContactLimit, Excess, FreeLimit, Implausible, MethodLimits, RunResult, Simulation, Structure};
 use pounding::solver::Opening;
-use pounding::text::{Answer, Form, Grid, Manner, NONE, Refused, Shown, Table, Where, digits, short};
+use pounding::text::{Answer, Form, Grid, Manner, NONE, Refused, Shown, Table, Unit, Where, short};
 
 use crate::progress::Waiting;
 
@@ -308,7 +308,7 @@ fn pairs(prepared: &Simulation, expected: &Expected) -> Grid {
     });
     Table::of(rows)
         .shown("Pair", |one| floors.names(one.index).join(" – "))
-        .shown_in("mm", "Gap", |one| digits(1e3 * contacts[floors.facing()[one.index].contact].gap_m))
+        .shown_number("Gap", &Unit::GAP, |one| contacts[floors.facing()[one.index].contact].gap_m)
         .shown_in("m/s", "Speed", ExpectedPair::speed)
         .shown_in("ms", "Lasts", |one| one.free(|free| free.duration.map(|lasts| short(1e3 * lasts))))
         .shown("Steps", |one| one.free(|free| free.steps.map(steps)))

@@ -43,7 +43,7 @@ pub(crate) fn run(args: &Arguments) -> Result<String, Refused> {
         write(&top.join(name), text)?;
     }
     let path = top.join(SCENE);
-    let message = |error: pounding::scene::Error| error.in_file(&path).to_string();
+    let message = |error: pounding::scene::Error| Refused::from(error.in_file(&path));
     let prepared = super::prepare(&path, false).map_err(message)?;
     let _waiting = Waiting::new("running and drawing");
     let report = Report::of(&prepared, true).map_err(message)?;

@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use pounding::report::{GapsUnderMotion, OfFolder, gaps_answer};
-use pounding::scene::{Error, Floors, Scene};
+use pounding::scene::{Error, Scene};
 use pounding::text::{Form, Refused};
 
 use super::declared::Declared;
@@ -65,7 +65,6 @@ pub(crate) fn run(args: &Arguments) -> Result<String, Refused> {
         scene: &scene,
         suite: &records,
         lines: &ran.lines,
-        warnings: Floors::of(&scene).map_or_else(|_| Vec::new(), |floors| floors.says_no_level()),
     };
     ran.answer(gaps_answer(&folder).text(Form::asked(args.details, args.csv, args.json)))
 }

@@ -43,7 +43,7 @@ pub(crate) fn run(args: &Arguments) -> Result<String, Failure> {
         args.folders.clone()
     };
     let joined = merge(out, &folders, new_file::existing(args.overwrite));
-    let joined = joined.map_err(|error| error.to_string())?;
+    let joined = joined?;
     new_file::say_if_unlocked(joined.is_locked);
     of_table(Vec::new(), &joined, out)
 }

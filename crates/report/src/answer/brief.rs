@@ -1,8 +1,9 @@
 //! The first screen of a run: the hardest touches, and the worst numbers of every building.
 
 use pounding_scene::{Errors, FloorQuantity, QuantityGroup, Review, RunResult, Simulation};
-use pounding_text::{Grid, Shown, Table, digits, percent, short};
+use pounding_text::{Grid, Shown, Table, Unit, digits, percent, short};
 
+use crate::shown::tables::WORST;
 use crate::{Blow, InWords};
 
 /// Pairs that are shown on the first screen; the others are counted.
@@ -54,10 +55,10 @@ pub(super) fn pairs(prepared: &Simulation, outcome: &RunResult) -> Grid {
         .shown("Floors that touch, the hardest first", |blow| {
             prepared.floors().names(blow.pair).join(" – ")
         })
-        .shown_in("mm", "Gap", |blow| digits(1e3 * prepared.pairs()[blow.pair].gap()))
-        .shown("Times", |blow| outcome.of_pair(blow.pair).collisions)
-        .shown_in("m/s", "Approach", |blow| blow.speed.map(short))
-        .shown_in("kN·s", "Impulse", |blow| short(1e-3 * blow.impulse))
+        .shown_number("Gap", &Unit::GAP, |blow| prepared.pairs()[blow.pair].gap())
+        .shown("Collisions", |blow| outcome.of_pair(blow.pair).collisions)
+        .shown_number("Approach", &Unit::SPEED, |blow| blow.speed)
+        .shown_number("Impulse", &Unit::NEWTON_SECOND, |blow| blow.impulse)
         .shown_in("kN", "Force", |blow| {
             blow.force.map_or("impulsive".into(), |force| short(1e-3 * force))
         })
@@ -74,15 +75,6 @@ pub(super) fn apart(prepared: &Simulation, outcome: &RunResult) -> Vec<String> {
         (_, n) => vec![format!("{n} pairs of floors never touch")],
     }
 }
-
-/// Numbers whose worst floor of each building the first screen shows.
-const WORST: [FloorQuantity; 5] = [
-    FloorQuantity::PeakDisplacementM,
-    FloorQuantity::PeakDriftM,
-    FloorQuantity::DriftRatio,
-    FloorQuantity::PeakShearForceN,
-    FloorQuantity::Ductility,
-];
 
 /// The worst of every building, each with its floor.
 pub(super) fn buildings(prepared: &Simulation, words: &InWords<'_>) -> Grid {
@@ -107,7 +99,7 @@ pub(super) fn buildings(prepared: &Simulation, words: &InWords<'_>) -> Grid {
         .filter(|one| worst(*one, FloorQuantity::PeakDisplacementM).is_some())
         .collect();
     let has_storeys = floors.all().iter().any(|floor| floor.storey.is_some());
-    let known = WORST.into_iter().filter(|quantity| {
+    let known = WORST.iter().copied().filter(|quantity| {
         let is_drift = *quantity == FloorQuantity::PeakDriftM;
         (has_storeys || !is_drift) && moving.iter().any(|one| worst(*one, *quantity).is_some())
     });

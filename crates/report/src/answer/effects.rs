@@ -2,7 +2,7 @@
 
 use pounding_assess::{Effects, FloorEffects, Known};
 use pounding_scene::{RecordUse, Simulation};
-use pounding_text::{Answer, Grid, Manner, Shown, Table, Where, digits, percent, short, two_decimals};
+use pounding_text::{Answer, Grid, Manner, Shown, Table, Unit, Where, percent};
 
 use crate::page::sentence;
 
@@ -24,9 +24,11 @@ pub(super) fn parts<'a>(answer: Answer<'a>, prepared: &Simulation, effects: &Eff
         percent(Known::ROBUST),
         percent(effects.largest_error())
     );
+    let ranges = "Below a number stand its least and largest values under these changes of the record.";
     answer
         .table(Where::FirstScreen, table(prepared, effects, false))
         .table(Where::Details, table(prepared, effects, true))
+        .say_as(Where::Details, Manner::Soft, "Ranges", vec![ranges.into()])
         .say_as(Where::Everywhere, Manner::Soft, "Effects", vec![notes])
         .figure("effects")
 }
@@ -40,31 +42,36 @@ fn table(prepared: &Simulation, effects: &Effects, full: bool) -> Grid {
         let (as_given, reversed) = (&effects.as_given[floor], &effects.reversed[floor]);
         [(as_given.name.clone(), as_given), (format!("  {other}"), reversed)]
     });
-    let known = move |known: &Known, factor: f64, words: fn(f64) -> String| {
+    let gravity = prepared.scene().record.gravity_m_per_s2;
+    let known = move |known: &Known, unit: &Unit| {
         let mark = if known.is_robust() { "" } else { "~" };
-        let range = format!("{} to {}", words(factor * known.low), words(factor * known.high));
-        let range = Some(range).filter(|_| full && known.change() > 0.0);
-        Shown::from(format!("{mark}{}", words(factor * known.value))).over(range)
+        let [value, low, high] = [known.value, known.low, known.high].map(|value| unit.text_of(value, gravity));
+        let range = Some(format!("{low} to {high}")).filter(|_| full && known.change() > 0.0);
+        Shown::from(format!("{mark}{value}")).over(range)
     };
     let table = Table::of(rows)
         .shown("Storey, direction", |(name, _)| Shown::from(name.as_str()))
-        .shown("Collisions", move |(_, floor)| known(&floor.collisions, 1.0, digits))
-        .shown_in("kN·s", "Sum of impulses", move |(_, floor)| known(&floor.impulse_n_s, 1e-3, short));
-    let responses = [("Drift", "mm", 1e3), ("Shear", "kN", 1e-3), ("Acceleration", "m/s²", 1.0)]
-        .into_iter()
-        .enumerate();
-    let table = responses.fold(table, |table, (response, (name, unit, factor))| {
+        .shown("Collisions", move |(_, floor)| known(&floor.collisions, &Unit::COUNT))
+        .shown_in(Unit::NEWTON_SECOND.shown, "Sum of impulses", move |(_, floor)| {
+            known(&floor.impulse_n_s, &Unit::NEWTON_SECOND)
+        });
+    let responses = [
+        ("Drift", &Unit::METRE),
+        ("Shear", &Unit::NEWTON),
+        ("Acceleration", &Unit::ACCELERATION),
+    ];
+    let table = responses.into_iter().enumerate().fold(table, |table, (response, (name, unit))| {
         let effect = move |floor: &FloorEffects| floor.responses()[response];
         let table = if full {
-            table.shown_in(unit, name, move |(_, floor)| {
-                effect(floor).map(|effect| short(factor * effect.beside))
+            table.shown_in(unit.shown, name, move |(_, floor)| {
+                effect(floor).map(|effect| unit.text_of(effect.beside, gravity))
             })
         } else {
             table
         };
         table.shown(format!("{name} × alone"), move |(_, floor)| {
             let ratio = effect(floor).and_then(|effect| effect.amplification);
-            Shown::from(ratio.map(|ratio| known(&ratio, 1.0, two_decimals)))
+            Shown::from(ratio.map(|ratio| known(&ratio, &Unit::RATIO)))
         })
     });
     table.grid()

@@ -80,7 +80,7 @@ impl Report<'_> {
             .say_as(Where::Details, Manner::Facts, "Method", method_facts(prepared))
             .say_as(Where::Details, Manner::Facts, "Errors", facts::errors(prepared, review))
             .say_as(
-                Where::Details,
+                Where::Page,
                 Manner::Facts,
                 "Histories",
                 facts::histories(summary, self.sampling.words),

@@ -1,7 +1,7 @@
 //! What was modelled: the tables of structures and contacts that a reader checks against drawings.
 
 use pounding_scene::{Columns, Contact, Damping, Floor, Scene, Simulation, StoreyProperties, Structure};
-use pounding_text::{Grid, NONE, Shown, Table, digits, short};
+use pounding_text::{Grid, NONE, Shown, Table, Unit, digits, short};
 
 /// A floor of a structure and its properties; a wall has neither.
 #[derive(Clone, Copy)]
@@ -139,7 +139,7 @@ pub(super) fn contacts(scene: &Scene) -> Grid {
             let names: Vec<&str> = neighbours.iter().map(Structure::name).collect();
             Shown::from(names.join(" – ")).over(levels)
         })
-        .shown_in("mm", "Gap", |(_, contact)| digits(1e3 * contact.gap_m))
+        .shown_number("Gap", &Unit::GAP, |(_, contact)| contact.gap_m)
         .shown("Law", |(_, contact)| contact.law.name().replace('_', " "))
         .shown("Delivers e", |(_, contact)| contact.law.restitution().map(short))
         .shown("Parameters", |(_, contact)| Shown::from(parameters(contact)).long())

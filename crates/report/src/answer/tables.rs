@@ -1,10 +1,10 @@
 //! The numbers of a run, in the tables of its structures, storeys, pairs and collisions.
 
-use pounding_scene::{Floor, Quantity, RunResult, Simulation};
+use pounding_scene::{FloorQuantity, Quantity, RunResult, Simulation};
 use pounding_text::{Grid, Shown, Table, digits, instant, short};
 
-use crate::InWords;
 use crate::shown::tables::{MOTIONS, PAIRS, STOREYS, STRUCTURES};
+use crate::{InWords, impacts};
 
 /// Most collisions that are shown; `impacts.csv` has all.
 const MOST: usize = 10;
@@ -23,7 +23,12 @@ fn numbers<'a, Q: Into<Quantity> + Copy>(
             cell(words, of_place(quantity, *place), *place)
         })
     });
-    table.grid()
+    let mut grid = table.grid();
+    for row in &mut grid.rows {
+        let has_errors = row.iter().any(|cell| cell.below.is_some());
+        row[0].below = has_errors.then(|| "error".into());
+    }
+    grid
 }
 
 /// A number over its error.
@@ -35,52 +40,41 @@ fn cell(words: &InWords<'_>, quantity: Quantity, place: usize) -> Shown {
 }
 
 /// Places of floors under a word, with their names.
-fn floors<'a>(
-    prepared: &'a Simulation,
-    words: &'a InWords<'_>,
-    heading: &'static str,
-    is_shown: impl Fn(&Floor) -> bool,
-) -> Table<'a, usize> {
+fn floors<'a>(prepared: &'a Simulation, heading: &'static str, is_shown: impl Fn(usize) -> bool) -> Table<'a, usize> {
     let floors = prepared.floors();
-    let shown = floors.by_structure().filter(|floor| is_shown(&floors.all()[*floor]));
-    let below = words.is_measured().then(|| "error".to_owned());
-    Table::of(shown).shown(heading, move |floor| {
-        Shown::from(floors.all()[*floor].name.as_str()).over(below.clone())
-    })
+    let shown = floors.by_structure().filter(|floor| is_shown(*floor));
+    Table::of(shown).shown(heading, move |floor| floors.all()[*floor].name.as_str())
 }
 
 /// Peaks of every floor and wall.
 pub(super) fn structures(prepared: &Simulation, words: &InWords<'_>) -> Grid {
-    numbers(words, floors(prepared, words, "Structure", |_| true), STRUCTURES, |quantity, _| {
-        quantity
-    })
+    let places = floors(prepared, "Structure", |_| true);
+    numbers(words, places, STRUCTURES, |quantity, _| quantity)
 }
 
 /// The motion that is left at the end, and the shaking of objects on the floors.
 pub(super) fn motions(prepared: &Simulation, words: &InWords<'_>) -> Grid {
-    numbers(
-        words,
-        floors(prepared, words, "Structure", |floor| !floor.is_wall()),
-        MOTIONS,
-        |quantity, _| quantity,
-    )
+    let places = floors(prepared, "Structure", |floor| !prepared.floors().all()[floor].is_wall());
+    numbers(words, places, MOTIONS, |quantity, _| quantity)
 }
 
-/// Drifts of the storeys of buildings, from the ground up; no rows if every structure has one storey.
+/// Drifts of the storeys of buildings, from the ground up, and of structures of one storey with a known height.
 pub(super) fn storeys(prepared: &Simulation, words: &InWords<'_>) -> Grid {
-    let storeys = floors(prepared, words, "Storey", |floor| floor.storey.is_some());
-    numbers(words, storeys, STOREYS, |quantity, floor| match quantity {
+    let is_storey = |floor: usize| {
+        let ratio = words.value(words.of_storey(FloorQuantity::DriftRatio, floor), floor);
+        prepared.floors().all()[floor].storey.is_some() || ratio.is_some()
+    };
+    let places = floors(prepared, "Storey", is_storey);
+    numbers(words, places, STOREYS, |quantity, floor| match quantity {
         Quantity::Floor(quantity) => words.of_storey(quantity, floor),
         Quantity::Pair(_) => quantity,
     })
 }
 
-/// Collisions of every pair.
+/// Collisions of every pair; its law stands among the contacts of the scene.
 pub(super) fn pairs(prepared: &Simulation, words: &InWords<'_>) -> Grid {
-    let law = |pair: usize| prepared.pairs()[pair].law.name().replace('_', " ");
-    let pairs = Table::of(prepared.floors().pairs_by_contact()).shown("Pair", move |pair| {
-        Shown::from(prepared.floors().names(*pair).join(" – ")).over(Some(law(*pair)))
-    });
+    let floors = prepared.floors();
+    let pairs = Table::of(floors.pairs_by_contact()).shown("Pair", move |pair| floors.names(*pair).join(" – "));
     numbers(words, pairs, PAIRS, |quantity, _| quantity)
 }
 
@@ -123,13 +117,5 @@ pub(super) fn collisions(prepared: &Simulation, outcome: &RunResult) -> Grid {
         0 => "Collision of".into(),
         left => format!("Collision of ({left} more in impacts.csv)"),
     };
-    Table::of(all.iter().take(MOST))
-        .shown(heading, |one| prepared.floors().names(one.pair).join(" – "))
-        .shown_in("s", "Start", |one| digits(one.start))
-        .shown_in("ms", "Duration", |one| short(1e3 * (one.end - one.start)))
-        .shown_in("m/s", "Approach speed", |one| one.approach_speed.map(short))
-        .shown_in("kN·s", "Impulse", |one| short(1e-3 * one.impulse))
-        .shown_in("kN", "Peak force", |one| one.peak_force.map(|force| short(1e-3 * force)))
-        .shown_in("s", "at", |one| one.peak_force_time.map(instant))
-        .grid()
+    impacts::table(prepared.floors(), all.iter().take(MOST), heading).grid()
 }

@@ -30,7 +30,8 @@ impl AssessmentReport {
             .figure("gap")
             .figure("profiles")
             .appendix("what touching does");
-        let answer = self.rules_and_motions(self.touching(answer));
+        let answer = self.touching(answer).figure("amplification").figure("neighbour");
+        let answer = self.rules_and_motions(answer);
         self.facts(answer).with_csv(|| self.numbers().csv())
     }
 
@@ -60,20 +61,25 @@ impl AssessmentReport {
             "Forces and impulses from the median of the events with the contact that gives least to the largest of all runs and contacts, \
              {from} to {to} times as stiff as in the scene: nobody knows the stiffness better, and it decides forces and accelerations."
         );
+        let worse = first(&self.storeys(worse));
         let mut answer = answer
             .say(Where::Page, "", vec![storeys.into()])
-            .table(Where::Everywhere, first(&self.storeys(worse)))
+            .say_as(Where::Page, Manner::Soft, "", vec![STOREYS.into()])
+            .table(Where::Page, worse.clone())
+            .table(Where::FirstScreen, worse)
             .say(Where::Page, "", vec![forces])
             .table(Where::Everywhere, first(&self.pairs(hit)));
-        if let (Some(pairs), Some(storeys)) = (self.bumper_pairs(), self.bumper_storeys()) {
+        if let Some(effect) = self.bumpers() {
             answer = answer
                 .heading("Bumpers in the gaps")
                 .say(Where::Page, "", vec![self.bumper_says().join(" ")]);
-            if self.bumpers().is_some_and(|effect| !effect.is_too_thin()) {
-                answer = answer.table(Where::Details, pairs.grid()).table(Where::Details, storeys.grid());
+            if !effect.is_too_thin() {
+                answer = answer
+                    .table(Where::Details, self.bumper_pairs(effect).grid())
+                    .table(Where::Details, self.bumper_storeys(effect).grid());
             }
         }
-        answer.figure("amplification").figure("neighbour")
+        answer
     }
 
     fn rules_and_motions<'a>(&'a self, answer: Answer<'a>) -> Answer<'a> {

@@ -102,7 +102,6 @@ impl AssessmentReport {
         let Some(effect) = &self.bumper else {
             return Value::Null;
         };
-        let some = |of: &Option<Distribution>| of.as_ref().map(statistics);
         let bumper = |one: &Bumper| {
             let [left, right] = [one.contact, one.contact + 1].map(|index| self.scene.structures[index].name());
             json!({
@@ -113,33 +112,15 @@ impl AssessmentReport {
                 "thickness_m": one.thickness,
             })
         };
-        let floors = effect.floors.iter().enumerate().filter_map(|(index, one)| {
-            let one = one.as_ref()?;
-            Some(json!({
-                "floor": self.floor_name(index),
-                "drift_with_over_without": statistics(&one.drift),
-                "acceleration_with_over_without": statistics(&one.acceleration),
-            }))
-        });
-        let pairs = effect.pairs.iter().enumerate().filter_map(|(index, one)| {
-            let (one, facing) = (one.as_ref()?, self.floors.facing()[index]);
-            Some(json!({
-                "left": self.floor_name(facing.left),
-                "right": self.floor_name(facing.right),
-                "peak_force_without_n": some(&one.force_without),
-                "peak_force_with_n": some(&one.force_with),
-                "largest_compression_m": one.compression,
-            }))
-        });
         json!({
             "bumpers": effect.bumpers.iter().map(bumper).collect::<Vec<_>>(),
             "runs": effect.runs,
             "too_thin_runs": effect.too_thin,
-            "force_with_over_without": some(&effect.force),
+            "force_with_over_without": effect.force.as_ref().map(statistics),
             "drift_with_over_without": statistics(&effect.drift),
             "acceleration_with_over_without": statistics(&effect.acceleration),
-            "floors": floors.collect::<Vec<_>>(),
-            "pairs": pairs.collect::<Vec<_>>(),
+            "floors": self.bumper_storeys(effect).json(),
+            "pairs": self.bumper_pairs(effect).json(),
         })
     }
 }

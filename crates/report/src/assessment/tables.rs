@@ -1,6 +1,8 @@
 //! The tables of an assessment, each once for people and for programs.
 
-use pounding_assess::{Distribution, FloorAssessment, GapAssessment, PairAssessment, RuleAssessment};
+use pounding_assess::{
+    BumperEffect, Distribution, FloorAssessment, FloorBumperEffect, GapAssessment, PairAssessment, PairBumperEffect, RuleAssessment,
+};
 use pounding_text::{Cell, Shown, Table, Unit, two_decimals, two_digits};
 use serde_json::{Value, json};
 
@@ -192,30 +194,57 @@ impl AssessmentReport {
     }
 
     /// The effects of bumpers on the forces of pairs.
-    pub(super) fn bumper_pairs(&self) -> Option<Table<'_, (usize, &pounding_assess::PairBumperEffect)>> {
-        let force = |of: &Option<Distribution>| of.as_ref().map(|of| two_digits(1e-3 * of.median()));
-        let effect = self.bumpers()?;
+    pub(super) fn bumper_pairs<'a>(&'a self, effect: &'a BumperEffect) -> Table<'a, (usize, &'a PairBumperEffect)> {
+        let names = |index: usize| {
+            let facing = self.floors.facing()[index];
+            [facing.left, facing.right].map(|floor| self.floor_name(floor))
+        };
+        let statistic = |of: &Option<Distribution>| Cell::from(of.as_ref().map(statistics));
+        let median = |of: &Option<Distribution>| Shown::from(of.as_ref().map(|of| two_digits(1e-3 * of.median())));
         let pairs = effect.pairs.iter().enumerate();
-        let table = Table::of(pairs.filter_map(|(index, one)| Some((index, one.as_ref()?))))
-            .shown("With bumpers", |(index, _)| {
-                let facing = self.floors.facing()[*index];
-                [facing.left, facing.right].map(|floor| self.floor_name(floor)).join(" – ")
+        Table::of(pairs.filter_map(|(index, one)| Some((index, one.as_ref()?))))
+            .shown("With bumpers", move |(index, _)| names(*index).join(" – "))
+            .column("left", move |(index, _)| names(*index)[0].clone())
+            .column("right", move |(index, _)| names(*index)[1].clone())
+            .both(
+                "peak_force_without_n",
+                ("Force without, median", "kN"),
+                move |(_, one)| statistic(&one.force_without),
+                move |(_, one)| median(&one.force_without),
+            )
+            .both(
+                "peak_force_with_n",
+                ("With, median", "kN"),
+                move |(_, one)| statistic(&one.force_with),
+                move |(_, one)| median(&one.force_with),
+            )
+            .number("largest_compression_m", "Compressed by up to", &Unit::WIDTH, |(_, one)| {
+                one.compression
             })
-            .shown_in("kN", "Force without, median", move |(_, one)| force(&one.force_without))
-            .shown_in("kN", "With, median", move |(_, one)| force(&one.force_with))
-            .shown_in("mm", "Compressed by up to", |(_, one)| Unit::WIDTH.text_of(one.compression, 0.0));
-        Some(table)
     }
 
     /// The effects of bumpers on storeys.
-    pub(super) fn bumper_storeys(&self) -> Option<Table<'_, (usize, &pounding_assess::FloorBumperEffect)>> {
-        let effect = self.bumpers()?;
+    pub(super) fn bumper_storeys<'a>(&'a self, effect: &'a BumperEffect) -> Table<'a, (usize, &'a FloorBumperEffect)> {
         let floors = effect.floors.iter().enumerate();
-        let table = Table::of(floors.filter_map(|(index, one)| Some((index, one.as_ref()?))))
-            .shown("With bumpers over without, median / 84 %", |(index, _)| self.floor_name(*index))
-            .shown("Drift", |(_, one)| both(&one.drift))
-            .shown("Acceleration", |(_, one)| both(&one.acceleration));
-        Some(table)
+        Table::of(floors.filter_map(|(index, one)| Some((index, one.as_ref()?))))
+            .both(
+                "floor",
+                "With bumpers over without, median / 84 %",
+                |(index, _)| self.floor_name(*index),
+                |(index, _)| self.floor_name(*index),
+            )
+            .both(
+                "drift_with_over_without",
+                "Drift",
+                |(_, one)| statistics(&one.drift),
+                |(_, one)| both(&one.drift),
+            )
+            .both(
+                "acceleration_with_over_without",
+                "Acceleration",
+                |(_, one)| statistics(&one.acceleration),
+                |(_, one)| both(&one.acceleration),
+            )
     }
 }
 

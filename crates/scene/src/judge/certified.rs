@@ -119,16 +119,39 @@ impl Certificate {
     }
 }
 
+/// A number that a method delivers.
+#[derive(Debug)]
+pub struct DeliveredNumber {
+    /// Its name in files.
+    pub key: &'static str,
+    /// Its name above a column.
+    pub heading: &'static str,
+    /// Takes it from what a method delivers.
+    pub of: fn(&DeliveredRestitution) -> Option<f64>,
+}
+
 impl DeliveredBy {
-    /// Numbers by their names; `None` if the method fails.
-    pub fn numbers(&self) -> Option<[(&'static str, Option<f64>); 4]> {
-        let delivered = self.delivered.as_ref().ok()?;
-        let [least, largest] = delivered.range;
-        Some([
-            ("steps_per_contact", delivered.steps_per_contact),
-            ("least_restitution", Some(least)),
-            ("largest_restitution", Some(largest)),
-            ("largest_error", Some(delivered.error)),
-        ])
-    }
+    /// The numbers that a method delivers.
+    pub const NUMBERS: [DeliveredNumber; 4] = [
+        DeliveredNumber {
+            key: "steps_per_contact",
+            heading: "Steps per contact",
+            of: |delivered| delivered.steps_per_contact,
+        },
+        DeliveredNumber {
+            key: "least_restitution",
+            heading: "Least e",
+            of: |delivered| Some(delivered.range[0]),
+        },
+        DeliveredNumber {
+            key: "largest_restitution",
+            heading: "Largest e",
+            of: |delivered| Some(delivered.range[1]),
+        },
+        DeliveredNumber {
+            key: "largest_error",
+            heading: "Error",
+            of: |delivered| Some(delivered.error),
+        },
+    ];
 }

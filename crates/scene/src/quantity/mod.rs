@@ -171,11 +171,6 @@ impl QuantityEntry {
         }
     }
 
-    /// Name above a column, with the unit that people read.
-    pub fn title(&self) -> String {
-        format!("{} {}", self.heading, self.shown_unit()).trim_end().into()
-    }
-
     /// Whether it is an instant: a relative change of it has no meaning.
     pub fn is_instant(&self) -> bool {
         matches!(self.kind, QuantityKind::Instant | QuantityKind::First)

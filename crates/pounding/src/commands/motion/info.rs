@@ -68,10 +68,8 @@ pub(super) fn run(args: &Arguments) -> Result<String, Failure> {
     let listed = Suite::listed(&args.files, &args.declared.of_files());
     let (suite, _) = listed?;
     if suite.n_entries == 0 {
-        return Err(Failure::from(format!(
-            "{}: found no file, allowed is a folder with one record or more",
-            args.files[0].display()
-        )));
+        let found = Refused::at(args.files[0].as_path()).found("no file");
+        return Err(found.allowed_is("a folder with one record or more").into());
     }
     let motions = motions_of(args, &suite);
     all_refused(&motions)?;

@@ -104,7 +104,7 @@ pub(super) fn run(args: &Arguments) -> Result<String, Refused> {
     let progress = Counter::new(0, runs as u64);
     let spectra = |periods: &[f64]| {
         let done = || progress.add(1);
-        response_spectra(&opened.record, periods, &args.damping, None, &done).map_err(|error| format!("{}: {error}", args.file.display()))
+        response_spectra(&opened.record, periods, &args.damping, None, &done).map_err(|refused| refused.in_file(&args.file))
     };
     let listed = spectra(&periods)?;
     let curves = drawn.map(|periods| spectra(&periods)).transpose()?;

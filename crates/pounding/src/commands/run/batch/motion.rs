@@ -108,8 +108,8 @@ impl RunUnderMotion {
             .flat_map(|one| [(line.reversed, &one.as_given), (!line.reversed, &one.reversed)]);
         let effects = directions.flat_map(|(reversed, floors)| {
             floors.iter().enumerate().flat_map(move |(floor, effects)| {
-                effects.facts().into_iter().map(move |(quantity, value, _)| {
-                    let number = SitedNumber::at(&at_floor(floor), format!("effect_{quantity}"), value);
+                effects.facts().into_iter().map(move |fact| {
+                    let number = SitedNumber::at(&at_floor(floor), format!("effect_{}", fact.quantity), fact.value);
                     MotionRow::of(line, number).shaken(reversed)
                 })
             })
