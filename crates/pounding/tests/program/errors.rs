@@ -139,7 +139,8 @@ fn reference_a_stepping_method_wins() {
     let pasted: Value = serde_json::from_str(&format!("{{{snippet}}}")).expect("JSON");
     assert!(pasted["method"].get("exact").is_none(), "{pasted}");
     let ended = run_example("wins", &pasted["method"]);
-    let error = ended.stdout.lines().find(|line| line.starts_with("  error"));
+    let structures = ended.stdout.lines().skip_while(|line| !line.starts_with("Structure "));
+    let error = structures.skip(1).find(|line| line.starts_with("  error"));
     let words: Vec<_> = error.expect("errors").split_whitespace().collect();
     let momentum: f64 = words[words.len() - 2].parse().expect("a number");
     assert!(momentum <= 10.0, "{words:?}");

@@ -129,7 +129,7 @@ fn lines(runs: &Runs<'_>) -> Grid {
         .shown("Record", |row| Shown::from(row.name.as_str()))
         .shown_in("g", "PGA", move |row| row.cell(|run| short(run.pga / gravity)))
         .shown("Scale", |row| row.cell(|run| short(run.scale)))
-        .shown("Collisions", |row| row.cell(|run| run.all.collisions))
+        .shown("Times", |row| row.cell(|run| run.all.collisions))
         .shown_in("s", "First", |row| row.cell(|run| run.all.first.map(|first| instant(first.start))))
         .shown_in("kN·s", "Impulse", |row| {
             row.cell(|run| run.all.largest.map(|largest| short(1e-3 * largest.impulse)))
