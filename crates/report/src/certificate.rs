@@ -53,9 +53,7 @@ pub fn certificate(
             .say(Where::Terminal, "Notes", notes)
     };
     let delivered = table(&methods).json();
-    Ok(answer
-        .fact("methods", delivered)
-        .with_csv(move || numbers(&facts, &methods).csv()))
+    Ok(answer.fact("methods", delivered).with_csv(move || numbers(&facts, &methods).csv()))
 }
 
 const NOTES: &str = "Least and largest e over sixteen places in the step at which the gap closes. Error: the largest \
