@@ -183,7 +183,7 @@ def test_issue_no_dict_ends_in_an_internal_error(towers, pulse) -> None:
         (lambda: pounding.scene(cyclic), "within itself"),
         (lambda: towers.replace(name=cyclic), "within itself"),
         (lambda: pounding.scene(deep(100_000)), "too deep"),
-        (lambda: pounding.scene(deep(500)), "found a table"),
+        (lambda: pounding.scene(deep(500)), "recursion limit"),
         (lambda: pounding.row({}), r"structures\[0\]: found a dict of 0 entries"),
         (lambda: pounding.row({"sdof": 5}), r"structures\[0\].sdof: found int"),
         (lambda: pounding.building([5]), r"storeys\[0\]: found int"),
