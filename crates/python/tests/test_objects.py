@@ -253,6 +253,13 @@ def test_issue_an_assessment_says_what_the_program_does(towers, pulse) -> None:
     assert len(found.sentences) > 1 and all(line in repr(found) for line in said)
 
 
+def test_issue_a_required_gap_says_that_no_floors_face_each_other(pulse) -> None:
+    low = pounding.building([{"mass": 1e5, "stiffness": 2e8, "height": 3.0}], name="low")
+    other = pounding.building([{"mass": 1e5, "stiffness": 1e8, "height": 4.5}], name="other")
+    with pytest.warns(pounding.PoundingWarning, match="No floors of low and other face each other"):
+        pounding.row(low, other, gap=0.03).required_gap([pulse])
+
+
 def test_issue_tables_name_building_and_level(towers, pulse) -> None:
     run = towers.run(pulse)
     assert list(run.peaks["building"]) == [structure["sdof"]["name"] for structure in towers.to_dict()["structures"]]

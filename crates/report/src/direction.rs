@@ -7,6 +7,7 @@ use pounding_scene::{Error, Excess, ExcessKind, PairOutcome, RecordUse, Review, 
 use pounding_text::short;
 
 use super::Blow;
+use crate::page::sentence;
 
 /// The results of both directions of shaking.
 #[derive(Debug)]
@@ -52,8 +53,8 @@ impl BothDirections {
             },
             Err(error) => Self {
                 sentences: [
-                    format!("{}: {}", names[0], run_sentence(prepared, given)),
-                    format!("{}: this run fails: {}", names[1], error.reason()),
+                    sentence(&format!("{}: {}", names[0], run_sentence(prepared, given))),
+                    sentence(&format!("{}: this run fails: {}", names[1], error.reason())),
                 ],
                 notices: review.notices(),
                 other: None,
@@ -91,7 +92,7 @@ fn sentences(prepared: &Simulation, mut both: [(&str, &RunResult); 2]) -> [Strin
             (true, _) => format!(" ({worst})"),
             (false, _) => String::new(),
         };
-        format!("{name}{worse}: {}", run_sentence(prepared, result))
+        sentence(&format!("{name}{worse}: {}", run_sentence(prepared, result)))
     };
     [said(0), said(1)]
 }

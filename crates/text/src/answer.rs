@@ -220,12 +220,15 @@ impl<'a> Answer<'a> {
         &self.parts
     }
 
-    /// Returns the answer in this form. The CSV is empty if the answer has no table for programs.
+    /// Returns the answer in this form.
+    ///
+    /// # Panics
+    /// If CSV is asked for and [`with_csv`](Self::with_csv) was not called: a command without a table has no such option.
     pub fn text(&self, form: Form) -> String {
         match form {
             Form::Brief => self.terminal(false),
             Form::Details => self.terminal(true),
-            Form::Csv => self.csv.as_ref().map_or_else(String::new, |csv| csv()),
+            Form::Csv => self.csv.as_ref().expect("a command with this option has a table")(),
             Form::Json => self.json.as_ref().map_or_else(|| json_text(&self.facts), |json| json()),
         }
     }

@@ -212,3 +212,17 @@ fn put(all: &mut Map<String, Value>, name: &str, value: Value) {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use crate::Table;
+
+    /// A name that a spreadsheet would run had its apostrophe in JSON, too, and no longer matched the scene.
+    #[test]
+    fn issue_json_has_names_as_they_are() {
+        let table = Table::of(["-A", "a\u{1b}"]).both("name", "Name", |name| *name, |name| *name);
+        assert_eq!(table.json(), serde_json::json!([{"name": "-A"}, {"name": "a\u{1b}"}]));
+        assert_eq!(table.csv(), "name\n'-A\na\\u001b\n");
+        assert_eq!(table.grid().terminal(true), "Name\n-A\na\\u001b\n");
+    }
+}

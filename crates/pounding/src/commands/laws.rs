@@ -1,6 +1,6 @@
 //! `pounding laws`: every law with its force, formulas, parameters and source.
 
-use pounding::contact::LawName;
+use pounding::contact::{Exact, LawName};
 use pounding::text::{Answer, Form, Manner, Table, Where};
 use serde_json::json;
 
@@ -35,7 +35,7 @@ pub(crate) fn run(args: &Arguments) -> String {
             Some(format!("Force: {}", law.about().force)),
             formula,
             Some(format!("Delivers: {}", law.about().relation.unwrap_or("found numerically"))),
-            Some(format!("Fields: {}", fields(law).join(", "))),
+            Some(format!("Fields: {}", words(law))),
             Some(format!("Source: {}", law.named().citation)),
         ];
         answer.say_as(Where::Terminal, Manner::Facts, "", lines.into_iter().flatten().collect())
@@ -54,10 +54,23 @@ fn fields(law: LawName) -> Vec<&'static str> {
     law.parameters().iter().map(|row| row.name).collect()
 }
 
+/// The words of a scene for a law: its force, if that has another name, and its fields.
+fn words(law: LawName) -> String {
+    let force = law.about().names[0].name;
+    let force = if force == law.name() {
+        String::new()
+    } else {
+        format!("{force} with ")
+    };
+    let restitution = match law.about().exact {
+        Exact::Any(_) => "; in place of the damping `restitution` and `calibration`",
+        Exact::Parameter | Exact::Elastic | Exact::Pair(..) => "",
+    };
+    format!("{force}{}{restitution}", fields(law).join(", "))
+}
+
 const NOTES: [&str; 3] = [
     "δ deformation, δ̇ its rate, v₀ approach speed, m reduced mass, e restitution.",
-    "Formula: the authors' damping for an e asked. Delivers: the e of a free impact, exactly. Fields: as in a scene, where \
-     corrected_hertz_damp, hunt_crossley and gonthier are hertz_damp; instead of its damping a law may be given a `restitution` and a \
-     `calibration`.",
+    "Formula: the authors' damping for an e asked. Delivers: the e of a free impact, exactly. Fields: the words of a scene.",
     "`pounding certify` prints what a law and a method really deliver.",
 ];

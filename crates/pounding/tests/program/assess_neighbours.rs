@@ -153,3 +153,21 @@ fn reference_the_report_moves_without_a_script() {
     assert!(page.contains("class=\"film\"") && !page.contains("<script"));
     assert!(page.contains("class=\"appendix\"") && page.contains("counter(page)"));
 }
+
+/// Where nothing touched, the folder had a figure that its page did not show.
+#[test]
+fn issue_every_figure_of_the_folder_is_on_the_page() {
+    let apart = UNKNOWN.split("[neighbour.unknown.contact]").next().expect("a scene");
+    for (name, scene) in [("assess_figures_apart", apart), ("assess_figures", UNKNOWN)] {
+        let work = workplace(name, scene);
+        let ended = assess(&work, &["--scale", "pga=0.4g", "--out", "out"]);
+        assert_eq!(ended.code, 0, "{}", ended.stderr);
+        let files = fs::read_dir(work.join("out")).expect("a folder");
+        let svgs = files.filter(|file| {
+            file.as_ref()
+                .is_ok_and(|file| file.path().extension().is_some_and(|end| end == "svg"))
+        });
+        let page = fs::read_to_string(work.join("out/report.html")).expect("a page");
+        assert_eq!(page.matches("<figcaption>").count(), svgs.count(), "{name}");
+    }
+}

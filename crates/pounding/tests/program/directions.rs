@@ -14,7 +14,7 @@ fn issue_a_run_tells_of_both_directions() {
     let run = pounding(&work, &["run", "scene.toml", "--no-error"]);
     let first: Vec<&str> = run.stdout.lines().take(6).collect();
     let first = first.join("\n");
-    assert!(first.contains("as given (") && first.contains("reversed, worse"), "{first}");
+    assert!(first.contains("As given (") && first.contains("Reversed, worse"), "{first}");
     let one = pounding(&work, &["run", "scene.toml", "--no-error", "--one-direction"]);
     assert!(!one.stdout.contains("reversed"), "{}", one.stdout);
 }
@@ -41,7 +41,7 @@ fn issue_the_report_of_a_run_shows_both_directions() {
     let first = page.find("<strong>").expect("a headline");
     let headline = &page[first..first + 400];
     assert!(
-        headline.contains("as given (") && headline.contains("reversed, worse"),
+        headline.contains("As given (") && headline.contains("Reversed, worse"),
         "{headline}"
     );
     assert!(work.join("out/profiles.png").is_file());

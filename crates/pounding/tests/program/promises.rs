@@ -323,3 +323,22 @@ fn issue_refusals_are_json_where_it_is_asked_for() {
     assert!(error["allowed"].as_str().is_some_and(|allowed| allowed.contains('0')), "{said}");
     assert!(error["message"].as_str().is_some_and(|message| message.contains("gap_m")), "{said}");
 }
+
+/// Some commands made one text of a refusal, and its JSON had no parts.
+#[test]
+fn issue_refusals_keep_their_parts() {
+    let folder = suite("promises_parts");
+    fs::create_dir_all(folder.join("empty")).expect("a disk");
+    for arguments in [&["motion", "info", "empty"][..], &["assess", "one.toml", "--records", "records"]] {
+        fs::write(
+            folder.join("one.toml"),
+            "name = \"one\"\nrecord.file = \"x\"\nstructures = [{ wall = {} }]\n",
+        )
+        .expect("a disk");
+        let ended = pounding(&folder, &[arguments, &["--json"]].concat());
+        let said: Value = serde_json::from_str(&ended.stderr).expect("JSON");
+        for part in ["place", "found", "allowed"] {
+            assert!(said["error"][part].is_string(), "{arguments:?}: {part}: {said}");
+        }
+    }
+}

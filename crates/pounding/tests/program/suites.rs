@@ -215,6 +215,8 @@ fn reference_demo() {
     assert_snapshot!(printed(&first));
     let file = |name: &str| fs::read(folder.join("pounding-demo").join(name)).expect("it is there");
     let page = file("results/report.html");
+    // Structures of one storey have a drift ratio if their height is known.
+    assert!(String::from_utf8_lossy(&page).contains("<th>Drift ratio</th>"));
     // A repeated command leaves equal bytes.
     let again = pounding(&folder, &["demo"]);
     assert_eq!((again.code, &again.stdout), (0, &first.stdout), "{}", again.stderr);

@@ -1,7 +1,7 @@
 //! Summaries of runs instead of rows: counts, sums, quantiles and exceedances, with equal bytes for any order of runs.
 
+mod exact;
 mod form;
-mod moments;
 mod octaves;
 mod of_sweep;
 mod table;

@@ -52,19 +52,6 @@ impl Wide {
             high: self.high + other.high + u64::from(carried),
         }
     }
-
-    /// The number minus a product that is no larger, of at most 120 bits and the 52 bits of a fraction.
-    pub(super) fn less_product(self, sum: u128, fraction: u128) -> Self {
-        const HALF: u128 = u64::MAX as u128;
-        let below = (sum & HALF) * fraction;
-        let above = (sum >> 64) * fraction + (below >> 64);
-        let (low, borrowed) = self.low.overflowing_sub((above << 64) | (below & HALF));
-        let above = u64::try_from(above >> 64).expect("the product is no larger");
-        Self {
-            low,
-            high: self.high - above - u64::from(borrowed),
-        }
-    }
 }
 
 /// The numbers of a bin: their number, and the smallest and the largest fraction.
@@ -163,9 +150,6 @@ impl TryFrom<Kept> for Octave {
         for (place, count, least, largest) in kept.bins {
             let bin = octave.bins.get_mut(place).ok_or("a bin beyond an octave")?;
             *bin = Bin { count, least, largest };
-        }
-        if octave.count() == 0 {
-            return Err("an octave without numbers");
         }
         Ok(octave)
     }

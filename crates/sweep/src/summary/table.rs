@@ -3,8 +3,8 @@
 use pounding_assess::wilson;
 use pounding_text::{Cell, csv_text};
 
+use super::exact::Sums;
 use super::form::{Form, Summed};
-use super::moments::Moments;
 use super::octaves::Octaves;
 use super::tally::{CellTally, ColumnTally, Tally};
 use crate::column::SweepColumn;
@@ -167,7 +167,7 @@ impl SummaryTable {
                 bounds,
             });
         };
-        let (numbers, moments) = (&column.numbers, Moments::of(&column.numbers));
+        let (numbers, sums) = (&column.numbers, Sums::of(&column.numbers));
         let count = numbers.count();
         let ends = numbers.ends();
         line("numbers", None, Some(count as f64), None);
@@ -175,8 +175,8 @@ impl SummaryTable {
         line("without_number", None, Some(without as f64), None);
         line("least", None, ends.map(|ends| ends.0), None);
         line("largest", None, ends.map(|ends| ends.1), None);
-        line("mean", None, moments.mean(), None);
-        line("standard_deviation", None, moments.deviation(), None);
+        line("mean", None, sums.mean(), None);
+        line("standard_deviation", None, sums.deviation(), None);
         for part in &self.form.quantiles {
             let bounds = numbers.quantile(*part);
             line("quantile", Some(*part), bounds.map(middle), bounds);
@@ -239,12 +239,12 @@ impl SummaryTable {
     fn summed(&self, cell: &CellTally) -> Vec<SummedColumn> {
         let columns = self.form.columns.iter().zip(&cell.columns).zip(self.known());
         let summed = |((of, column), is_known): ((&Summed, &ColumnTally), bool)| {
-            let (numbers, moments) = (&column.numbers, Moments::of(&column.numbers));
+            let (numbers, sums) = (&column.numbers, Sums::of(&column.numbers));
             SummedColumn {
                 name: name_of(of),
                 numbers: numbers.count(),
-                mean: moments.mean(),
-                standard_deviation: moments.deviation(),
+                mean: sums.mean(),
+                standard_deviation: sums.deviation(),
                 median: numbers.quantile(0.5),
                 p84: numbers.quantile(0.84),
                 largest: numbers.ends().map(|ends| ends.1),

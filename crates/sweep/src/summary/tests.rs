@@ -4,9 +4,9 @@ use num_bigint::{BigInt, BigUint};
 use pounding_assess::Distribution;
 use proptest::prelude::*;
 
+use super::exact::Sums;
 use super::form::{By, Form, Summed};
-use super::moments::Moments;
-use super::octaves::{Octaves, Wide};
+use super::octaves::Octaves;
 use super::table::{SummaryTable, middle};
 use super::tally::Tally;
 use crate::batch::Batch;
@@ -80,44 +80,6 @@ fn whole(number: f64) -> BigInt {
     let digits = BigInt::from(fraction + (u64::from(exponent > 0) << 52));
     let magnitude = digits << (exponent.max(1) - 1);
     if number < 0.0 { -magnitude } else { magnitude }
-}
-
-/// Mean and deviation of numbers by whole numbers, each rounded once before the root.
-fn mean_and_deviation(numbers: &[f64]) -> [Option<f64>; 2] {
-    let sum: BigInt = numbers.iter().map(|number| whole(*number)).sum();
-    let squares: BigInt = numbers.iter().map(|number| whole(*number).pow(2)).sum();
-    let n = BigInt::from(numbers.len());
-    let scatter: BigInt = &n * squares - &sum * &sum;
-    let mean = quotient(sum.magnitude(), n.magnitude()).map(|(mean, exponent)| scaled(mean, exponent - 1074));
-    let divisor: BigInt = &n * (&n - 1);
-    let variance = (numbers.len() > 1)
-        .then(|| quotient(scatter.magnitude(), divisor.magnitude()))
-        .flatten();
-    let deviation = variance.map(|(variance, exponent)| {
-        // The root of an even power of two is a power of two.
-        let odd = exponent.rem_euclid(2);
-        scaled(scaled(variance, odd).sqrt(), (exponent - odd) / 2 - 1074)
-    });
-    [mean.map(|mean| if sum < BigInt::default() { -mean } else { mean }), deviation]
-}
-
-/// A quotient to 53 bits, and the power of two by which to multiply it; `None` for a division by zero.
-fn quotient(number: &BigUint, by: &BigUint) -> Option<(f64, i64)> {
-    let bits = |number: &BigUint| i64::try_from(number.bits()).expect("it fits into memory");
-    // A quotient of 63 or 64 bits.
-    let shift = 63 - bits(number) + bits(by);
-    let (left, right) = (shift.max(0).unsigned_abs(), (-shift).max(0).unsigned_abs());
-    let (number, by) = (number << left, by << right);
-    let quotient = (by > BigUint::default()).then(|| &number / &by)?;
-    let is_exact = &quotient * &by == number;
-    let digits = u64::try_from(quotient).expect("at most 64 bits");
-    // The remainder only decides ties.
-    Some(((digits | u64::from(!is_exact)) as f64, -shift))
-}
-
-/// A number times a power of two.
-fn scaled(number: f64, exponent: i64) -> f64 {
-    libm::scalbn(number, i32::try_from(exponent.clamp(-10_000, 10_000)).expect("it is bounded"))
 }
 
 proptest! {
@@ -199,52 +161,16 @@ proptest! {
         }
     }
 
-    /// Sums of octaves are exact, digit by digit.
+    /// Sums are exact, digit by digit.
     #[test]
     fn reference_sums_to_the_last_digit(numbers in prop::collection::vec(prop::num::f64::ANY, 0..100)) {
         let finite: Vec<f64> = numbers.into_iter().filter(|number| number.is_finite()).collect();
-        let (mut sum, mut squares) = (BigInt::default(), BigUint::default());
-        for (is_negative, exponent, octave) in added(&finite).each() {
-            let (leading, shift) = (u64::from(exponent > 0) << 52, exponent.max(1) - 1);
-            let Wide { low, high } = octave.squares;
-            let of_octave = BigInt::from(BigUint::from(octave.sum) + BigUint::from(leading) * octave.count()) << shift;
-            sum += if is_negative { -of_octave } else { of_octave };
-            // (leading + fraction)², summed.
-            let of_fractions = (BigUint::from(high) << 128_u32) + low + BigUint::from(2 * leading) * octave.sum;
-            squares += (of_fractions + BigUint::from(leading) * leading * octave.count()) << (2 * shift);
-        }
+        let sums = Sums::of(&added(&finite));
         let each = || finite.iter().map(|number| whole(*number));
-        prop_assert_eq!(sum, each().sum::<BigInt>());
+        let (sum, squares) = sums.digits();
+        prop_assert_eq!(sum, &each().sum::<BigInt>());
         let wanted: BigInt = each().map(|one| &one * &one).sum();
-        prop_assert_eq!(&squares, wanted.magnitude());
-    }
-
-    /// Numbers close to each other, on either side of a power of two, have the mean and the deviation of whole numbers of any length.
-    #[test]
-    fn reference_mean_and_deviation_to_the_last_digit(
-        steps in prop::collection::vec(-1000_i64..1000, 1..100),
-        (about, exponent) in (0..4_usize, -1000..900_i32),
-    ) {
-        let about = [1.0_f64, 2.0, -4.0, 3.0][about] * libm::scalbn(1.0, exponent);
-        let numbers = steps.iter().map(|steps| f64::from_bits(about.to_bits().wrapping_add_signed(*steps)));
-        let numbers: Vec<f64> = numbers.collect();
-        let moments = Moments::of(&added(&numbers));
-        prop_assert_eq!([moments.mean(), moments.deviation()], mean_and_deviation(&numbers));
-    }
-
-    /// Numbers of all sizes have them up to one rounding: the smallest are below 2⁻¹⁰⁶ of the largest, and lost.
-    #[test]
-    fn reference_mean_and_deviation_of_all_sizes(numbers in prop::collection::vec(prop::num::f64::ANY, 1..100)) {
-        let finite: Vec<f64> = numbers.into_iter().filter(|number| number.is_finite()).collect();
-        let moments = Moments::of(&added(&finite));
-        for (found, wanted) in [moments.mean(), moments.deviation()].into_iter().zip(mean_and_deviation(&finite)) {
-            let (Some(found), Some(wanted)) = (found, wanted) else {
-                prop_assert_eq!(found, wanted);
-                continue;
-            };
-            let is_close = (found - wanted).abs() <= f64::EPSILON * wanted.abs() || found.total_cmp(&wanted).is_eq();
-            prop_assert!(is_close, "{} and {}", found, wanted);
-        }
+        prop_assert_eq!(squares, wanted.magnitude() as &BigUint);
     }
 
     /// Mean and deviation of whole numbers whose sums fit into 128 bits.
@@ -255,14 +181,14 @@ proptest! {
     ) {
         let scale = libm::scalbn(1.0, scale);
         let numbers: Vec<f64> = whole.iter().map(|one| *one as f64 * scale).collect();
-        let moments = Moments::of(&added(&numbers));
+        let sums = Sums::of(&added(&numbers));
         let n = i64::try_from(whole.len()).expect("a few");
         let sum: i64 = whole.iter().sum();
-        prop_assert_eq!(moments.mean(), Some(sum as f64 / n as f64 * scale));
+        prop_assert_eq!(sums.mean(), Some(sum as f64 / n as f64 * scale));
         let squares: i64 = whole.iter().map(|one| one * one).sum();
         let scatter = i128::from(n) * i128::from(squares) - i128::from(sum) * i128::from(sum);
         let wanted = (scatter as f64 / (n * (n - 1)) as f64).sqrt() * scale;
-        let found = moments.deviation().expect("there are two or more");
+        let found = sums.deviation().expect("there are two or more");
         prop_assert!((found - wanted).abs() <= 4.0 * f64::EPSILON * wanted, "{found} and {wanted}");
     }
 }
@@ -271,13 +197,13 @@ proptest! {
 #[test]
 fn extreme_the_scatter_of_numbers_far_from_zero() {
     let numbers = [1e15 + 1.0, 1e15 + 2.0, 1e15 + 3.0];
-    let moments = Moments::of(&added(&numbers));
-    assert_eq!((moments.mean(), moments.deviation()), (Some(1e15 + 2.0), Some(1.0)));
-    let huge = Moments::of(&added(&[f64::MAX, -f64::MAX, f64::MAX]));
+    let sums = Sums::of(&added(&numbers));
+    assert_eq!((sums.mean(), sums.deviation()), (Some(1e15 + 2.0), Some(1.0)));
+    let huge = Sums::of(&added(&[f64::MAX, -f64::MAX, f64::MAX]));
     assert!(huge.mean().is_some_and(|mean| (mean / (f64::MAX / 3.0) - 1.0).abs() < 1e-15));
-    assert_eq!(Moments::of(&added(&[])).mean(), None);
-    assert_eq!(Moments::of(&added(&[1.0])).deviation(), None);
-    assert_eq!(Moments::of(&added(&[1.0, 1.0])).deviation(), Some(0.0));
+    assert_eq!(Sums::of(&added(&[])).mean(), None);
+    assert_eq!(Sums::of(&added(&[1.0])).deviation(), None);
+    assert_eq!(Sums::of(&added(&[1.0, 1.0])).deviation(), Some(0.0));
 }
 
 /// Bars of the histogram: eighths of octaves, and zeros separately.

@@ -2,7 +2,7 @@
 
 use pounding::assess::{LeftOutReason, Suite};
 use pounding::motion::{Interval, Reading};
-use pounding::text::{Answer, Cell, Manner, NONE, Shown, Table, Unit, Where, cut, digits, percent, short};
+use pounding::text::{Answer, Cell, Manner, NONE, Table, Unit, Where, cut, digits, percent, short};
 use serde_json::{Value, json};
 
 use super::{ListedMotion, MeasuredMotion};
@@ -194,8 +194,8 @@ fn numbers<'a, Of: 'a>(table: Table<'a, Of>, gravity: f64, found: impl Fn(&Of) -
         .both(
             "n_samples",
             "Samples",
-            exact(|one| Some(one.opened.record.samples().len() as f64)),
-            move |row| Shown::from(found(row).map(|one| one.opened.record.samples().len())),
+            move |row| found(row).map(|one| one.opened.record.samples().len()),
+            move |row| found(row).map(|one| one.opened.record.samples().len()),
         )
         .number("time_step_s", "Step", &STEP, of(|one| Some(one.opened.record.time_step())))
         .column("duration_s", exact(|one| Some(one.opened.record.duration())))
@@ -247,6 +247,5 @@ fn of_found(found: &MeasuredMotion) -> Value {
     all["readings"] = file.readings().iter().map(reading).collect();
     all["says"] = json!(file.provenance());
     all["sha256"] = json!(found.opened.origin.sha256);
-    all["n_samples"] = json!(found.opened.record.samples().len());
     all
 }
