@@ -179,7 +179,7 @@ impl Record {
         let origin = self.motion.origin.as_ref();
         let readings = origin.map(|origin| {
             let readings = origin.file.readings().iter();
-            let reading = |one: &pounding_motion::Reading| json!([one.what, one.line, one.found]);
+            let reading = |one: &pounding_motion::Reading| json!({"what": one.what, "line": one.line, "found": one.found});
             readings.map(reading).collect::<Vec<_>>()
         });
         let unusual = origin.map(|origin| {
@@ -188,11 +188,11 @@ impl Record {
         });
         json_text(&json!({
             "source": samples.source(),
-            "samples": samples.samples().len(),
+            "n_samples": samples.samples().len(),
             "peak_m_per_s2": peak,
-            "peak_time_s": time,
+            "pga_time_s": time,
             "format": origin.map(|origin| origin.file.format().name()),
-            "unit": origin.map(|origin| origin.file.unit().symbol()),
+            "unit": origin.map(|origin| origin.file.unit().name()),
             "component": origin.and_then(|origin| origin.file.component()),
             "sha256": origin.map(|origin| &origin.sha256),
             "readings": readings.unwrap_or_default(),

@@ -199,7 +199,7 @@ fn header(floors: &Floors, names: &Names, structures: &[usize], compliant: &[boo
         if *compliant {
             header.push(format!("{name}_pounding_force_n"));
         }
-        header.push(format!("{name}_gap_m"));
+        header.push(format!("{name}_opening_m"));
     }
     header
 }

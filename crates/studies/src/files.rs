@@ -42,7 +42,7 @@ pub(crate) fn yes_or_no(truth: bool) -> &'static str {
 
 /// The word for the direction of a ground motion in tables.
 pub(crate) fn direction(reversed: bool) -> &'static str {
-    if reversed { "reversed" } else { "as recorded" }
+    if reversed { "reversed" } else { "as given" }
 }
 
 /// The name with its first letter in upper case.

@@ -180,10 +180,10 @@ impl Records {
 #[serde(rename_all = "snake_case")]
 pub enum Directions {
     /// As in the file.
-    AsRecorded,
+    AsGiven,
     /// Left becomes right.
     Reversed,
-    /// First as recorded, then reversed.
+    /// First as given, then reversed.
     Both,
 }
 
@@ -191,7 +191,7 @@ impl Directions {
     /// For each direction, whether it is reversed.
     pub(super) fn reversed(self) -> &'static [bool] {
         match self {
-            Self::AsRecorded => &[false],
+            Self::AsGiven => &[false],
             Self::Reversed => &[true],
             Self::Both => &[false, true],
         }

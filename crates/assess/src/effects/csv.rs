@@ -5,7 +5,7 @@ use pounding_text::{Cell, Table};
 
 use super::{Effects, FloorEffects, Known};
 
-/// Names of responses with their units.
+/// Names of responses with their units; their peaks are `peak_drift_m` and so on.
 const RESPONSES: [(&str, &str); 3] = [("drift", "m"), ("shear_force", "n"), ("acceleration", "m_per_s2")];
 
 /// A number of a floor.
@@ -25,7 +25,7 @@ impl Effects {
     ///
     /// `low` and `high` are the least and the largest value under the record and its changes by one per cent.
     pub fn to_csv(&self, scene: &Scene, floors: &Floors) -> String {
-        let directions = [("as_in_scene", &self.as_given), ("reversed", &self.reversed)];
+        let directions = [("as_given", &self.as_given), ("reversed", &self.reversed)];
         let rows = floors.by_structure().flat_map(|floor| {
             let of_floor = directions.into_iter().flat_map(move |(direction, all)| {
                 let facts = all[floor].facts().into_iter();
@@ -62,8 +62,8 @@ impl FloorEffects {
         let mut facts = hits.map(|(name, known)| fact(name.into(), known.value, Some(known))).to_vec();
         for ((name, unit), effect) in RESPONSES.into_iter().zip(self.responses()) {
             let Some(effect) = effect else { continue };
-            facts.push(fact(format!("{name}_alone_{unit}"), effect.alone, None));
-            facts.push(fact(format!("{name}_{unit}"), effect.beside, None));
+            facts.push(fact(format!("peak_{name}_alone_{unit}"), effect.alone, None));
+            facts.push(fact(format!("peak_{name}_{unit}"), effect.beside, None));
             let ratio = effect.amplification;
             facts.extend(ratio.map(|known| fact(format!("{name}_amplification"), known.value, Some(known))));
         }

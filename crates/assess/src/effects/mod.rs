@@ -17,9 +17,9 @@ use cases::{CaseAnswer, EffectCase, cases};
 /// Effects of pounding on the storeys of a row, in both directions of shaking.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Effects {
-    /// Effects on every floor in the direction that the scene gives.
+    /// Effects on every floor under the record as given, whatever direction the scene asks for.
     pub as_given: Vec<FloorEffects>,
-    /// Effects on every floor under reversed shaking.
+    /// Effects on every floor under the reversed record.
     pub reversed: Vec<FloorEffects>,
 }
 
@@ -36,13 +36,13 @@ pub struct FloorEffects {
     pub largest_impulse_n_s: Known,
     /// Peak drift of the storey \[m\].
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub drift_m: Option<Effect>,
+    pub peak_drift_m: Option<Effect>,
     /// Peak shear force of the storey \[N\].
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub shear_n: Option<Effect>,
+    pub peak_shear_force_n: Option<Effect>,
     /// Peak absolute acceleration of the floor \[m/s²\]. Impulsive impacts, whose acceleration has no bound, are left out.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub acceleration_m_per_s2: Option<Effect>,
+    pub peak_acceleration_m_per_s2: Option<Effect>,
 }
 
 /// Peak response beside the neighbours, against that of the same building alone.
@@ -131,7 +131,9 @@ impl Effects {
     pub fn of(prepared: &Simulation) -> Result<Self, Error> {
         let cases = cases();
         let answers = parallel::try_each(&cases, |case| case.answer(prepared))?;
-        let (as_given, reversed) = answers.split_at(answers.len() / 2);
+        let (own, other) = answers.split_at(answers.len() / 2);
+        let is_reversed = prepared.scene().record.reversed;
+        let (as_given, reversed) = if is_reversed { (other, own) } else { (own, other) };
         let of = |answers: &[CaseAnswer]| {
             let floors = 0..prepared.floors().all().len();
             floors.map(|floor| effects(prepared, floor, answers)).collect()
@@ -145,7 +147,7 @@ impl Effects {
     /// Whether there are effects on a floor; a wall has effects only if something hits it.
     pub fn concern(&self, floor: usize) -> bool {
         let both = [&self.as_given[floor], &self.reversed[floor]];
-        both.iter().any(|one| one.drift_m.is_some() || one.collisions.high > 0.0)
+        both.iter().any(|one| one.peak_drift_m.is_some() || one.collisions.high > 0.0)
     }
 
     /// Whether anything touches in any of the runs.
@@ -166,7 +168,7 @@ impl Effects {
 impl FloorEffects {
     /// Effects on drift, shear force and acceleration; `None` for a wall.
     pub fn responses(&self) -> [Option<Effect>; 3] {
-        [self.drift_m, self.shear_n, self.acceleration_m_per_s2]
+        [self.peak_drift_m, self.peak_shear_force_n, self.peak_acceleration_m_per_s2]
     }
 }
 
@@ -181,8 +183,8 @@ fn effects(prepared: &Simulation, floor: usize, answers: &[CaseAnswer]) -> Floor
         collisions: hits(|hits| hits.collisions),
         impulse_n_s: hits(|hits| hits.impulse),
         largest_impulse_n_s: hits(|hits| hits.largest_impulse),
-        drift_m: effect(|peaks| peaks.drift),
-        shear_n: effect(|peaks| peaks.shear),
-        acceleration_m_per_s2: effect(|peaks| peaks.acceleration),
+        peak_drift_m: effect(|peaks| peaks.drift),
+        peak_shear_force_n: effect(|peaks| peaks.shear),
+        peak_acceleration_m_per_s2: effect(|peaks| peaks.acceleration),
     }
 }

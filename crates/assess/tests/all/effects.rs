@@ -52,7 +52,7 @@ fn reference_peaks_are_those_of_the_runs_with_and_without_neighbours() {
         let alone = prepared(&lone).run(None).expect("it runs");
         for (storey, &floor) in pair.floors().of_structure(structure).iter().enumerate() {
             let found = &effects.as_given[floor];
-            let (drift, shear) = (found.drift_m.unwrap(), found.shear_n.unwrap());
+            let (drift, shear) = (found.peak_drift_m.unwrap(), found.peak_shear_force_n.unwrap());
             let (beside, lonely) = (outcome.peaks.of(floor), alone.peaks.of(storey));
             let same = |found: f64, wanted: f64| {
                 assert!((found - wanted.abs()).abs() <= 1e-12 * found, "{found} {wanted}");
@@ -83,6 +83,16 @@ fn reference_a_mirrored_row_swaps_the_directions() {
             assert_eq!(effects.as_given[floor], mirror.reversed[twin]);
         }
     }
+}
+
+/// "As given" was the direction of the scene in effects and that of the file everywhere else: of a reversed scene they were opposites.
+#[test]
+fn issue_as_given_is_the_direction_of_the_file() {
+    let scene = towers();
+    let mut reversed = scene.clone();
+    reversed.record.reversed = true;
+    let [found, of_reversed] = [scene, reversed].map(|scene| Effects::of(&prepared(&scene)).expect("it runs"));
+    assert_eq!(found, of_reversed);
 }
 
 #[test]
@@ -130,11 +140,11 @@ fn reference_a_row_for_every_number() {
     // Five floors in two directions. Each has three rows of collisions, and rows alone, beside and ratio for three responses.
     assert_eq!(lines.len(), 1 + 5 * 2 * (3 + 9));
     assert!(lines.iter().all(|line| line.split(',').count() == 9), "{csv}");
-    assert!(lines[1].starts_with("slow,1,as_in_scene,collisions,"), "{csv}");
+    assert!(lines[1].starts_with("slow,1,as_given,collisions,"), "{csv}");
     let last = lines[lines.len() - 1];
     assert!(last.starts_with("quick,2,reversed,acceleration_amplification,"), "{csv}");
-    let drift = effects.as_given[0].drift_m.expect("it moves").beside;
-    assert!(csv.contains(&format!("slow,1,as_in_scene,drift_m,{drift},,,,\n")), "{csv}");
+    let drift = effects.as_given[0].peak_drift_m.expect("it moves").beside;
+    assert!(csv.contains(&format!("slow,1,as_given,peak_drift_m,{drift},,,,\n")), "{csv}");
 }
 
 #[test]
@@ -155,7 +165,7 @@ fn reference_ranges_are_those_of_changed_records() {
     }
     let mut moved = false;
     for (floor, found) in effects.as_given.iter().enumerate() {
-        let known = found.acceleration_m_per_s2.expect("it moves").amplification.expect("it moves");
+        let known = found.peak_acceleration_m_per_s2.expect("it moves").amplification.expect("it moves");
         assert!((known.value - peaks[0][floor]).abs() < 1e-9, "{known:?}");
         for changed in &peaks {
             let inside = known.low - 1e-9 <= changed[floor] && changed[floor] <= known.high + 1e-9;

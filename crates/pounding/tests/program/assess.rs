@@ -200,7 +200,7 @@ fn reference_the_folder_holds_what_is_printed() {
     let quantity = header.iter().position(|name| name == "quantity").expect("a column");
     let required = rows
         .records()
-        .filter(|row| row.as_ref().is_ok_and(|row| &row[quantity] == "required_gap_m"));
+        .filter(|row| row.as_ref().is_ok_and(|row| &row[quantity] == "required_m"));
     // There are two gaps, two records and two directions.
     assert_eq!(required.count(), 8);
     assert_eq!(table, assess(&work, &["--csv"]).stdout);

@@ -110,7 +110,7 @@ pair,left,right,start_s,end_s,duration_s,approach_speed_m_per_s,impulse_n_s,peak
     let history = text(out.join("history.csv"));
     let beginning: Vec<&str> = history.lines().take(9).collect();
     assert_snapshot!(beginning.join("\n"), @r"
-time_s,ground_acceleration_m_per_s2,one_displacement_m,one_velocity_m_per_s,one_absolute_acceleration_m_per_s2,one_shear_force_n,other_displacement_m,other_velocity_m_per_s,other_absolute_acceleration_m_per_s2,other_shear_force_n,one_other_gap_m
+time_s,ground_acceleration_m_per_s2,one_displacement_m,one_velocity_m_per_s,one_absolute_acceleration_m_per_s2,one_shear_force_n,other_displacement_m,other_velocity_m_per_s,other_absolute_acceleration_m_per_s2,other_shear_force_n,one_other_opening_m
 0,0,0,2,0,0,0,0,0,0,0.125
 0.01,0,0.02,2,-2.000000e-11,2.000000e-8,0,0,0,0,0.105
 0.02,0,0.04,2,-4.000000e-11,4.000000e-8,0,0,0,0,0.085
@@ -142,7 +142,7 @@ fn reference_histories_are_those_of_the_summary() {
         assert!((peak - wanted).abs() < 1e-6 * wanted.abs(), "{peak} {wanted}");
     }
     let [left, right] = ["one", "other"].map(|name| numbers(&history, &format!("{name}_displacement_m")));
-    let gaps = numbers(&history, "one_other_gap_m");
+    let gaps = numbers(&history, "one_other_opening_m");
     for (row, gap) in gaps.iter().enumerate() {
         let wanted = 0.125 + right[row] - left[row];
         assert!((gap - wanted).abs() < 1e-6, "row {row}: {gap} {wanted}");
@@ -270,7 +270,7 @@ fn extreme_the_page_is_well_formed_and_needs_nothing_else() {
     }
     let header = text(out.join("history.csv"));
     let header = header.lines().next().expect("a header");
-    assert_snapshot!(header, @"time_s,ground_acceleration_m_per_s2,script_script_sued_nord_displacement_m,script_script_sued_nord_velocity_m_per_s,script_script_sued_nord_absolute_acceleration_m_per_s2,script_script_sued_nord_shear_force_n,a_s_a_s_a_s_a_s_a_s_a_s_a_s_a_s_a_s_displacement_m,a_s_a_s_a_s_a_s_a_s_a_s_a_s_a_s_a_s_velocity_m_per_s,a_s_a_s_a_s_a_s_a_s_a_s_a_s_a_s_a_s_absolute_acceleration_m_per_s2,a_s_a_s_a_s_a_s_a_s_a_s_a_s_a_s_a_s_shear_force_n,script_script_sued_nord_a_s_a_s_a_s_a_s_a_s_a_s_a_s_a_s_a_s_gap_m");
+    assert_snapshot!(header, @"time_s,ground_acceleration_m_per_s2,script_script_sued_nord_displacement_m,script_script_sued_nord_velocity_m_per_s,script_script_sued_nord_absolute_acceleration_m_per_s2,script_script_sued_nord_shear_force_n,a_s_a_s_a_s_a_s_a_s_a_s_a_s_a_s_a_s_displacement_m,a_s_a_s_a_s_a_s_a_s_a_s_a_s_a_s_a_s_velocity_m_per_s,a_s_a_s_a_s_a_s_a_s_a_s_a_s_a_s_a_s_absolute_acceleration_m_per_s2,a_s_a_s_a_s_a_s_a_s_a_s_a_s_a_s_a_s_shear_force_n,script_script_sued_nord_a_s_a_s_a_s_a_s_a_s_a_s_a_s_a_s_a_s_opening_m");
 }
 
 #[test]

@@ -69,8 +69,11 @@ class Record:
 
     @property
     def unit(self) -> str:
-        """Unit of the values in the file; ``m/s²`` for an array or a formula. :attr:`acceleration` is always in m/s²."""
-        return str(self.facts["unit"] or "m/s²")
+        """Unit of the values in the file, as :func:`read` takes it; ``"m_per_s2"`` for an array or a formula.
+
+        :attr:`acceleration` is always in m/s².
+        """
+        return str(self.facts["unit"] or "m_per_s2")
 
     @property
     def pga(self) -> float:
@@ -169,12 +172,12 @@ class Record:
     def __repr__(self) -> str:
         facts = self.facts
         lines = [
-            f"Record {self.name}: {facts['samples']} samples, dt {self.dt:g} s, peak {facts['peak_m_per_s2']:.4g} m/s² "
-            f"at {facts['peak_time_s']:g} s"
+            f"Record {self.name}: {facts['n_samples']} samples, dt {self.dt:g} s, peak {facts['peak_m_per_s2']:.4g} m/s² "
+            f"at {facts['pga_time_s']:g} s"
         ]
-        for what, line, found in facts["readings"]:
-            where = "" if line is None else f" (line {line})"
-            lines.append(f"  {what}: {found}{where}")
+        for one in facts["readings"]:
+            where = "" if one["line"] is None else f" (line {one['line']})"
+            lines.append(f"  {one['what']}: {one['found']}{where}")
         if self.scale_factor != 1.0:
             lines.append(f"  multiplied by {self.scale_factor:.6g}")
         return visible("\n".join(lines))

@@ -365,7 +365,7 @@ class Scene:
         records
             A folder of records, or records.
         directions
-            ``"as_recorded"``, ``"reversed"`` or ``"both"``.
+            ``"as_given"``, ``"reversed"`` or ``"both"``.
         samples
             ``{"count": 1024, "seed": 1, "method": "sobol"}``.
         outputs

@@ -38,9 +38,11 @@ fn table(prepared: &Simulation, effects: &Effects, full: bool) -> Grid {
     let floors = prepared.floors();
     let shown = floors.by_structure().filter(|floor| effects.concern(*floor));
     let rows = shown.flat_map(|floor| {
-        let other = RecordUse::direction_of(!prepared.scene().record.reversed);
         let (as_given, reversed) = (&effects.as_given[floor], &effects.reversed[floor]);
-        [(as_given.name.clone(), as_given), (format!("  {other}"), reversed)]
+        [
+            (as_given.name.clone(), as_given),
+            (format!("  {}", RecordUse::direction_of(true)), reversed),
+        ]
     });
     let gravity = prepared.scene().record.gravity_m_per_s2;
     let known = move |known: &Known, unit: &Unit| {

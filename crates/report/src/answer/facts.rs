@@ -17,12 +17,12 @@ pub fn record_facts(prepared: &Simulation) -> Vec<String> {
         format!("source: {}", used.source),
         format!(
             "as used: {} samples, {} s apart, {} s long; peak {} g = {} m/s² at {} s (g = {gravity} m/s²)",
-            one.samples,
+            one.n_samples,
             digits(one.time_step_s),
             digits(prepared.record().duration()),
             short(one.peak_m_per_s2 / gravity),
             short(one.peak_m_per_s2),
-            digits(one.peak_time_s)
+            digits(one.pga_time_s)
         ),
         format!("processing: {}", processed(&one)),
     ];

@@ -40,7 +40,7 @@ impl AssessmentReport {
             let site = Site::gap(&self.scene, gap.left);
             let ruled = Rule::ALL.into_iter();
             let ruled = ruled.filter_map(|rule| Some(SitedNumber::at(&site, rule.key(), rule.width(gap)?)));
-            let required = SitedNumber::at(&site, "required_gap_m", gap.required);
+            let required = SitedNumber::at(&site, "required_m", gap.required);
             std::iter::once(required).chain(ruled).collect::<Vec<_>>()
         });
         numbers.collect()
@@ -63,16 +63,16 @@ impl AssessmentReport {
             let (alone, beside) = (floor.alone, floor.beside);
             let [least, largest] = floor.over_stiffness;
             [
-                ("drift_alone_m", alone.drift),
-                ("drift_m", beside.drift),
-                ("shear_force_alone_n", alone.shear),
-                ("shear_force_n", beside.shear),
-                ("acceleration_alone_m_per_s2", alone.acceleration),
-                ("acceleration_m_per_s2", beside.acceleration),
-                ("drift_least_m", least.drift),
-                ("drift_largest_m", largest.drift),
-                ("acceleration_least_m_per_s2", least.acceleration),
-                ("acceleration_largest_m_per_s2", largest.acceleration),
+                ("peak_drift_alone_m", alone.drift),
+                ("peak_drift_m", beside.drift),
+                ("peak_shear_force_alone_n", alone.shear),
+                ("peak_shear_force_n", beside.shear),
+                ("peak_acceleration_alone_m_per_s2", alone.acceleration),
+                ("peak_acceleration_m_per_s2", beside.acceleration),
+                ("peak_drift_least_m", least.drift),
+                ("peak_drift_largest_m", largest.drift),
+                ("peak_acceleration_least_m_per_s2", least.acceleration),
+                ("peak_acceleration_largest_m_per_s2", largest.acceleration),
             ]
             .map(|(quantity, value)| SitedNumber::at(&site, quantity, value))
         });
@@ -102,9 +102,9 @@ impl AssessmentReport {
         let floors = self.moving().flat_map(|(index, site)| {
             let floor = &run.floors[index];
             [
-                ("drift_with_bumper_m", floor.drift),
-                ("shear_force_with_bumper_n", floor.shear),
-                ("acceleration_with_bumper_m_per_s2", floor.acceleration),
+                ("peak_drift_with_bumper_m", floor.drift),
+                ("peak_shear_force_with_bumper_n", floor.shear),
+                ("peak_acceleration_with_bumper_m_per_s2", floor.acceleration),
             ]
             .map(|(quantity, value)| SitedNumber::at(&site, quantity, value))
         });

@@ -117,7 +117,7 @@ impl AssessmentReport {
                 |(_, one)| both(&one.drift),
             )
             .both(
-                "shear_amplification",
+                "shear_force_amplification",
                 "Shear × alone",
                 |(_, one)| statistics(&one.shear),
                 |(_, one)| both(&one.shear),
@@ -207,18 +207,18 @@ impl AssessmentReport {
             .column("left", move |(index, _)| names(*index)[0].clone())
             .column("right", move |(index, _)| names(*index)[1].clone())
             .both(
-                "peak_force_without_n",
+                "peak_force_without_bumper_n",
                 ("Force without, median", "kN"),
                 move |(_, one)| statistic(&one.force_without),
                 move |(_, one)| median(&one.force_without),
             )
             .both(
-                "peak_force_with_n",
+                "peak_force_with_bumper_n",
                 ("With, median", "kN"),
                 move |(_, one)| statistic(&one.force_with),
                 move |(_, one)| median(&one.force_with),
             )
-            .number("largest_compression_m", "Compressed by up to", &Unit::WIDTH, |(_, one)| {
+            .number("bumper_compression_m", "Compressed by up to", &Unit::WIDTH, |(_, one)| {
                 one.compression
             })
     }

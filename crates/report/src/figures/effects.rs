@@ -65,7 +65,7 @@ fn picture(effects: &Effects, prepared: &Simulation, floors: &[usize]) -> Figure
         title: (*title).into(),
         x: Some(Axis::auto("Beside / alone (–)")),
         y: Axis::names(names.clone()),
-        curves: curves(effects, prepared.scene().record.reversed, floors, response),
+        curves: curves(effects, floors, response),
         levels: borders(floors.iter().map(|floor| all[*floor].structure)),
         legend: Legend::Shared,
         ..Panel::default()
@@ -92,11 +92,11 @@ pub(crate) fn as_alone(storeys: usize) -> Curve {
     Curve::new(CurveKind::Dashed, Shade::Ink, ends)
 }
 
-fn curves(effects: &Effects, reversed: bool, floors: &[usize], response: usize) -> Vec<Curve> {
-    let [own, other] = [reversed, !reversed].map(RecordUse::direction_of);
+fn curves(effects: &Effects, floors: &[usize], response: usize) -> Vec<Curve> {
+    let [as_given, reversed] = [false, true].map(RecordUse::direction_of);
     let directions = [
-        (&effects.as_given, own, Shade::Blue, Mark::Disc, -APART),
-        (&effects.reversed, other, Shade::Vermilion, Mark::Square, APART),
+        (&effects.as_given, as_given, Shade::Blue, Mark::Disc, -APART),
+        (&effects.reversed, reversed, Shade::Vermilion, Mark::Square, APART),
     ];
     let mut curves = vec![as_alone(floors.len())];
     for (all, label, shade, mark, aside) in directions {

@@ -13,7 +13,7 @@ use pounding_scene::{Implausible, Scene};
 
 /// Version of the form of results: `summary.json`, `runs.json`, `assess.json`, the tables beside them, and the file
 /// beside a converted record. A new field or column keeps it; one that goes, or changes its meaning, raises it.
-pub const SCHEMA_VERSION: u32 = 1;
+pub const SCHEMA_VERSION: u32 = 2;
 
 /// A run, its results and their errors; the names of fields end with their units.
 ///
@@ -84,20 +84,20 @@ pub struct RecordSummary {
     /// Format of the file.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub format: Option<String>,
-    /// Unit of the values in the file.
+    /// Unit of the values in the file, in the word of a scene.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub unit: Option<String>,
     /// Product of all scales of the record \[–\]; 1 if it was not scaled.
     #[serde(default = "one")]
     pub scale_factor: f64,
     /// Number of samples, as used.
-    pub samples: usize,
+    pub n_samples: usize,
     /// Time between them \[s\].
     pub time_step_s: f64,
     /// Ground acceleration of largest magnitude, as used \[m/s²\].
     pub peak_m_per_s2: f64,
     /// Its instant \[s\].
-    pub peak_time_s: f64,
+    pub pga_time_s: f64,
     /// The description that the file holds.
     pub provenance: String,
     /// Readings of the file, with their lines.

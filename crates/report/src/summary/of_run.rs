@@ -43,18 +43,18 @@ impl RecordSummary {
             line: reading.line,
             found: reading.found.clone(),
         };
-        let (peak_time_s, peak_m_per_s2) = record.peak();
+        let (pga_time_s, peak_m_per_s2) = record.peak();
         Self {
             file,
             sha256: origin.map(|origin| origin.sha256.clone()),
             format: origin.map(|origin| origin.file.format().name().into()),
-            unit: origin.map(|origin| origin.file.unit().symbol().into()),
+            unit: origin.map(|origin| origin.file.unit().name().into()),
             scale_factor: prepared.scale(),
-            samples: record.samples().len(),
+            n_samples: record.samples().len(),
             time_step_s: record.time_step(),
             // A negative zero loses its sign.
             peak_m_per_s2: peak_m_per_s2 + 0.0,
-            peak_time_s,
+            pga_time_s,
             provenance: record.source().into(),
             processing: prepared.scene().record.processing(),
             readings: origin.map_or_else(Vec::new, |origin| origin.file.readings().iter().map(read).collect()),

@@ -22,7 +22,7 @@ quantities! {
             .kind(QuantityKind::Count).measured(QuantityGroup::All, "collisions");
     FirstStartS("first_start_s", "Start of the first collision.") = QuantityEntry {
         least: |run, pair| if run.pair(pair).first.is_some_and(|first| first.start < RunValues::AT_ONCE) { 1.0 } else { 0.0 },
-        absolute: Some("first_time_s"),
+        absolute: Some("first_start_s"),
         collision: Some("first"),
         text: digits,
         ..QuantityEntry::new(&Unit::SECOND, "First", |run, pair| Some(run.pair(pair).first?.start))

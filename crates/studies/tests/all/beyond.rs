@@ -305,7 +305,7 @@ fn reference_a_folder_of_records() {
         assert_eq!(rows[0]["run_s"], "10.8", "ten seconds of rest");
         rows[0]["pga_m_per_s2"].clone()
     };
-    assert_eq!(peak(false), "1.962", "0.2 g as recorded");
+    assert_eq!(peak(false), "1.962", "0.2 g as given");
     assert_eq!(peak(true), rows(&TWO, "motions.csv")[0]["pga_m_per_s2"]);
 }
 

@@ -30,7 +30,7 @@ pub(super) fn of(plan: &Plan<'_>) -> String {
             "chosen_for_error": prepared.advice().map(|advice| advice.goal.error),
         },
         "structures": structures.map(|(one, limit)| structure(one, *limit)).collect::<Vec<_>>(),
-        "base_openings": openings(plan),
+        "base_approaches": approaches(plan),
         "pairs": plan.expected.as_ref().map(|_| pairs(plan)),
         "exact_run": exact,
         "not_needed": unneeded,
@@ -41,10 +41,10 @@ pub(super) fn of(plan: &Plan<'_>) -> String {
 
 /// The largest distance that the bases of neighbours move towards each other, or apart (negative), for every structure and its right
 /// neighbour; null if all are shaken at once.
-fn openings(plan: &Plan<'_>) -> Option<Vec<Value>> {
+fn approaches(plan: &Plan<'_>) -> Option<Vec<Value>> {
     let openings = plan.prepared.openings();
-    let opening = |one: &Opening| json!({"largest_opening_m": one.distance, "time_s": one.time});
-    (!openings.is_empty()).then(|| openings.iter().map(opening).collect())
+    let approach = |one: &Opening| json!({"largest_approach_m": one.distance, "time_s": one.time});
+    (!openings.is_empty()).then(|| openings.iter().map(approach).collect())
 }
 
 fn structure(structure: &Structure, limit: Option<f64>) -> Value {

@@ -23,7 +23,7 @@ const LEAST: usize = 8;
 /// Distance of a direction from the line of its motion, and of a kind of structure from the line of its direction, in lines.
 const APART: [f64; 2] = [0.2, 0.09];
 
-/// Colours and marks of structures by their names, as recorded and reversed.
+/// Colours and marks of structures by their names, as given and reversed.
 const LOOKS: [(Shade, [Mark; 2]); 3] = [
     (Shade::Blue, [Mark::Disc, Mark::Ring]),
     (Shade::Vermilion, [Mark::Square, Mark::HollowSquare]),

@@ -7,7 +7,7 @@ use crate::files::direction;
 use crate::paper::claims::{Claim, ClaimCount, Finding};
 use pounding_text::Table;
 
-/// A claim under every motion in both directions, as recorded and reversed.
+/// A claim under every motion in both directions, as given and reversed.
 pub(super) struct TestedClaim<'a> {
     /// The claim, with the computed numbers of the first case.
     pub(super) claim: &'a Claim,

@@ -68,7 +68,7 @@ pub(super) fn drawing(beyond: &Beyond, group: &Group, motions: Range<usize>) -> 
         Some(_) => "; framed: the paper's record and direction",
         None => "",
     };
-    let words = format!("{}→ as recorded, ← reversed{framed}", changed.unwrap_or_default());
+    let words = format!("{}→ as given, ← reversed{framed}", changed.unwrap_or_default());
     legend(words, &mut shapes);
     Drawing { width, height, shapes }
 }

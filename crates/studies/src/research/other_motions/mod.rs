@@ -54,7 +54,7 @@ pub struct Beyond {
 #[derive(Debug)]
 struct Group {
     change: Option<Change>,
-    /// For each motion the results as recorded and reversed.
+    /// For each motion the results as given and reversed.
     worlds: Vec<[MotionCase; 2]>,
 }
 

@@ -33,7 +33,7 @@ impl Keys for Directed<'_> {
     }
 }
 
-/// Results under a motion, as recorded and reversed.
+/// Results under a motion, as given and reversed.
 struct Both<'a> {
     results: [&'a StructureResult; 2],
     motion: &'a Shaking,
@@ -95,7 +95,7 @@ const COMPARED: [(&str, Number); 7] = [
     ("peak_shear", |row| Some(row.shear)),
 ];
 
-/// Table of every number under the reversed motion over the number under the motion as recorded, without signs. A cell is empty if the
+/// Table of every number under the reversed motion over the number under the motion as given, without signs. A cell is empty if the
 /// divisor is zero.
 pub(super) fn directions(motions: &[Shaking], worlds: &[[MotionCase; 2]]) -> String {
     let ratio = |one: &Both<'_>, (_, number): (&str, Number)| {

@@ -195,9 +195,9 @@ fn papers_scene(scenes: &Scenes) -> Result<&Scene, StudyError> {
 /// The motion and direction of the paper's scenes, if the list has that motion.
 fn papers(settings: &BeyondSettings, scenes: &Scenes) -> Option<Case> {
     let record = &papers_scene(scenes).ok()?.record;
-    let mut as_recorded = record.clone();
-    as_recorded.reversed = false;
-    let same = |motion: &ListedMotion| motion.record == as_recorded;
+    let mut as_given = record.clone();
+    as_given.reversed = false;
+    let same = |motion: &ListedMotion| motion.record == as_given;
     Some(Case {
         motion: settings.motions.iter().position(same)?,
         reversed: record.reversed,

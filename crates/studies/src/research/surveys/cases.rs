@@ -15,7 +15,7 @@ pub(super) struct Case {
 }
 
 impl Case {
-    /// The motions of a list in both directions, as recorded before reversed.
+    /// The motions of a list in both directions, as given before reversed.
     ///
     /// # Errors
     /// [`StudyError`] if a motion cannot be read.

@@ -102,10 +102,7 @@ impl RunUnderMotion {
             .chain(floors)
             .chain(pairs)
             .map(|number| MotionRow::of(line, number));
-        let directions = self
-            .effects
-            .iter()
-            .flat_map(|one| [(line.reversed, &one.as_given), (!line.reversed, &one.reversed)]);
+        let directions = self.effects.iter().flat_map(|one| [(false, &one.as_given), (true, &one.reversed)]);
         let effects = directions.flat_map(|(reversed, floors)| {
             floors.iter().enumerate().flat_map(move |(floor, effects)| {
                 effects.facts().into_iter().map(move |fact| {
