@@ -15,7 +15,7 @@ const HALVINGS: u32 = 53;
 ///
 /// Velocity and displacement are those of [`Record::integrated`], without correction of the baseline. A measure is infinite if its
 /// integrand overflows 64-bit numbers.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Measures {
     /// Peak ground acceleration, the largest magnitude \[m/s²\].
     pub pga: f64,

@@ -3,8 +3,9 @@
 use std::path::{Path, PathBuf};
 
 use pounding_motion::Record as Samples;
+use pounding_report::{MeasuredRecord, spectra_table};
 use pounding_scene::file::record_bytes;
-use pounding_scene::{Error, GroundMotion, RecordUse, SharedMotion, Source, Spectrum, response_spectra};
+use pounding_scene::{Error, GroundMotion, RecordUse, SharedMotion, Source, response_spectra};
 use pounding_text::{Naming, Refused, json_text};
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
@@ -12,7 +13,7 @@ use serde_json::json;
 
 use crate::array::Array;
 use crate::refused::OrRefused;
-use crate::table::{Column, Table};
+use crate::table::Table;
 use crate::waiting::wait;
 
 /// The raw form of a ground motion, which is read again for each other use.
@@ -172,39 +173,11 @@ impl Record {
 
     /// Location and contents of the record, measures, unit and format, as JSON.
     fn facts(&self) -> String {
-        let samples = self.samples();
-        let (time, peak) = samples.peak();
-        let measures = samples.measures();
-        let interval = |interval: Option<pounding_motion::Interval>| interval.map(|interval| interval.duration());
-        let origin = self.motion.origin.as_ref();
-        let readings = origin.map(|origin| {
-            let readings = origin.file.readings().iter();
-            let reading = |one: &pounding_motion::Reading| json!({"what": one.what, "line": one.line, "found": one.found});
-            readings.map(reading).collect::<Vec<_>>()
-        });
-        let unusual = origin.map(|origin| {
-            let unusual = origin.file.unusual().iter();
-            unusual.map(ToString::to_string).collect::<Vec<_>>()
-        });
-        json_text(&json!({
-            "source": samples.source(),
-            "n_samples": samples.samples().len(),
-            "peak_m_per_s2": peak,
-            "pga_time_s": time,
-            "format": origin.map(|origin| origin.file.format().name()),
-            "unit": origin.map(|origin| origin.file.unit().name()),
-            "component": origin.and_then(|origin| origin.file.component()),
-            "sha256": origin.map(|origin| &origin.sha256),
-            "readings": readings.unwrap_or_default(),
-            "unusual": unusual.unwrap_or_default(),
-            "pga_m_per_s2": measures.pga,
-            "pgv_m_per_s": measures.pgv,
-            "pgd_m": measures.pgd,
-            "arias_m_per_s": measures.arias,
-            "cav_m_per_s": measures.cav,
-            "d5_75_s": interval(measures.d5_75),
-            "d5_95_s": interval(measures.d5_95),
-        }))
+        let origin = self.motion.origin.as_deref();
+        let mut facts = MeasuredRecord::of(self.samples()).json(origin);
+        facts["source"] = json!(self.samples().source());
+        facts["component"] = json!(origin.and_then(|origin| origin.file.component()));
+        json_text(&facts)
     }
 
     /// Response spectra at some periods [s] for some damping ratios [–], one row per combination.
@@ -215,22 +188,7 @@ impl Record {
             response_spectra(self.samples(), &periods, &damping_ratios, stop, &done)
         })?
         .or_refused(py)?;
-        let rows = || {
-            let of_ratio = |one: &Spectrum| {
-                let ratio = one.damping_ratio;
-                one.values.clone().into_iter().map(move |values| (ratio, values))
-            };
-            spectra.iter().flat_map(of_ratio)
-        };
-        let column = |value: fn(&pounding_scene::SpectralValues) -> f64| Column::numbers(rows().map(|(_, one)| Some(value(&one))));
-        Ok(Table::new([
-            ("damping_ratio", Column::numbers(rows().map(|(ratio, _)| Some(ratio)))),
-            ("period_s", column(|one| one.period)),
-            ("sd_m", column(|one| one.displacement)),
-            ("pseudo_sv_m_per_s", column(|one| one.pseudo_velocity)),
-            ("pseudo_sa_m_per_s2", column(|one| one.pseudo_acceleration)),
-            ("sa_m_per_s2", column(|one| one.absolute_acceleration)),
-        ]))
+        Ok(Table::of_found(&spectra_table(&spectra)))
     }
 
     fn __eq__(&self, other: &Self) -> bool {

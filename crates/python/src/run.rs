@@ -4,10 +4,9 @@ use std::path::PathBuf;
 use std::sync::Arc;
 
 use pounding_report::{
-    BothDirections, HistoryQuantity, PairSummary, Report, Sketch, StructureSummary, Summary, history_of, other_direction, run_sentence,
+    BothDirections, HistoryQuantity, PairSummary, Report, Sketch, StructureSummary, Summary, collision_table, history_of, other_direction, run_sentence,
 };
 use pounding_scene::{Error, FloorQuantity, Implausible, PairQuantity, QuantityKind, Review, Scene, Simulation, SimulationOptions};
-use pounding_solver::Collision;
 use pyo3::exceptions::PyKeyError;
 use pyo3::prelude::*;
 
@@ -192,32 +191,12 @@ impl Run {
 
     /// Table with one row per collision, in the order of their starts.
     fn impacts(&self) -> Table {
-        let all = self.review.outcome.collisions.all();
-        let names = |side: usize| {
-            let name = move |one: &Collision| self.simulation.floors().names(one.pair)[side].clone();
-            Column::texts(all.iter().map(name))
-        };
-        let column = |value: fn(&Collision) -> Option<f64>| {
-            // A negative zero loses its sign, as in files.
-            Column::numbers(all.iter().map(|one| value(one).map(|value| value + 0.0)))
-        };
-        let facing = self.simulation.floors().facing();
-        let counts = |of: &dyn Fn(usize) -> u64| Column::Counts(all.iter().map(|one| of(one.pair)).collect());
-        Table::new([
-            ("pair", counts(&|pair| pair as u64)),
-            ("contact", counts(&|pair| facing[pair].contact as u64)),
-            ("level", counts(&|pair| self.level(pair))),
-            ("left", names(0)),
-            ("right", names(1)),
-            ("start_s", column(|one| Some(one.start))),
-            ("end_s", column(|one| Some(one.end))),
-            ("duration_s", column(|one| Some(one.end - one.start))),
-            ("approach_speed_m_per_s", column(|one| one.approach_speed)),
-            ("impulse_n_s", column(|one| Some(one.impulse))),
-            ("peak_force_n", column(|one| one.peak_force)),
-            ("peak_force_time_s", column(|one| one.peak_force_time)),
-            ("start_uncertainty_s", column(|one| one.uncertainty)),
-        ])
+        let floors = self.simulation.floors();
+        let collisions = self.review.outcome.collisions.all().iter();
+        let table = collision_table(floors, collisions, String::new())
+            .column("contact", |one| floors.facing()[one.pair].contact)
+            .column("level", |one| self.level(one.pair));
+        Table::of_found(&table)
     }
 }
 
@@ -247,16 +226,8 @@ impl Run {
 
     /// A history by its name, with one row per floor or pair and one column per instant.
     fn history(&self, py: Python<'_>, name: &str) -> PyResult<Array> {
-        let quantity = match name {
-            "displacement" => HistoryQuantity::Displacement,
-            "velocity" => HistoryQuantity::Velocity,
-            "acceleration" => HistoryQuantity::AbsoluteAcceleration,
-            "shear_force" => HistoryQuantity::ShearForce,
-            "drift" => HistoryQuantity::Drift,
-            "opening" => HistoryQuantity::Opening,
-            "pounding_force" => HistoryQuantity::PoundingForce,
-            _ => return Err(PyKeyError::new_err(name.to_owned())),
-        };
+        let quantity = HistoryQuantity::ALL.into_iter().find(|one| one.name() == name);
+        let quantity = quantity.ok_or_else(|| PyKeyError::new_err(name.to_owned()))?;
         let rows = py.detach(|| history_of(&self.simulation, &self.review.outcome, quantity));
         Ok(Array::rows(&rows))
     }

@@ -8,6 +8,7 @@ use arrow_array::{ArrayRef, BooleanArray, Float64Array, RecordBatch, RecordBatch
 use arrow_schema::{ArrowError, Schema};
 use pyo3::exceptions::{PyKeyError, PyValueError};
 use pyo3::prelude::*;
+use pounding_text::CellKind;
 use pyo3::types::PyCapsule;
 use serde_json::Value;
 
@@ -18,9 +19,9 @@ use crate::array::Array;
 pub(crate) enum Column {
     /// Numbers; NaN for a missing one.
     Numbers(Arc<[f64]>),
-    /// Whole numbers.
+    /// Whole numbers, none of them missing.
     Counts(Arc<[u64]>),
-    Flags(Vec<bool>),
+    Flags(Vec<Option<bool>>),
     Texts(Vec<Option<String>>),
 }
 
@@ -34,15 +35,13 @@ impl Column {
         Self::Texts(texts.into_iter().map(Some).collect())
     }
 
-    /// A column of JSON values of one type.
-    fn of<'a>(values: impl Iterator<Item = &'a Value> + Clone) -> Self {
-        match values.clone().find(|value| !value.is_null()) {
-            Some(Value::Bool(_)) => Self::Flags(values.map(|value| value.as_bool().unwrap_or_default()).collect()),
-            Some(Value::String(_)) => Self::Texts(values.map(|value| value.as_str().map(String::from)).collect()),
-            Some(Value::Number(number)) if number.is_u64() => {
-                Self::Counts(values.map(|value| value.as_u64().unwrap_or_default()).collect())
-            }
-            _ => Self::numbers(values.map(Value::as_f64)),
+    /// A column of JSON values of one kind. A column of counts with a missing one holds numbers.
+    fn of<'a>(kind: CellKind, values: impl Iterator<Item = &'a Value> + Clone) -> Self {
+        match kind {
+            CellKind::Truth => Self::Flags(values.map(Value::as_bool).collect()),
+            CellKind::Text | CellKind::Nested => Self::Texts(values.map(|value| value.as_str().map(String::from)).collect()),
+            CellKind::Count if values.clone().all(Value::is_u64) => Self::Counts(values.filter_map(Value::as_u64).collect()),
+            CellKind::Count | CellKind::Number => Self::numbers(values.map(Value::as_f64)),
         }
     }
 
@@ -87,11 +86,12 @@ impl Table {
 
     /// The rows of a table for programs that have no reason in the column `refused`, without that column.
     pub(crate) fn of_found<Row>(table: &pounding_text::Table<'_, Row>) -> Self {
-        let rows = table.json();
-        let found = rows.as_array().into_iter().flatten().filter(|row| row["refused"].is_null());
-        let found: Vec<&Value> = found.collect();
-        let names = table.names().filter(|name| *name != "refused");
-        Self::new(names.map(|name| (name, Column::of(found.iter().map(|row| &row[name])))))
+        let (refused, columns): (Vec<_>, Vec<_>) = table.values().partition(|(name, ..)| *name == "refused");
+        let is_found = |row: usize| refused.iter().all(|(.., reasons)| reasons[row].is_null());
+        Self::new(columns.iter().map(|(name, kind, values)| {
+            let found = values.iter().enumerate().filter(|(row, _)| is_found(*row));
+            (*name, Column::of(*kind, found.map(|(_, value)| value)))
+        }))
     }
 
     fn to_arrow(&self) -> Result<RecordBatch, ArrowError> {

@@ -2,7 +2,7 @@
 
 use pounding_assess::{MotionLine, Suite};
 use pounding_scene::{Excess, Implausible, Scene};
-use pounding_text::{Answer, Cell, Table, Where};
+use pounding_text::{Answer, Table, Where};
 use serde_json::{Value, json};
 
 /// Sentences about the records of a folder, with `hint` behind them if they leave names out.
@@ -158,9 +158,9 @@ impl<'a, T: UnderMotion> OfFolder<'a, T> {
             refused: Some(one.reason.sentence()),
         });
         let table = Table::of(of_lines.chain(left_out))
-            .column("record", |row| Cell::from(row.motion.as_str()))
+            .column("record", |row| row.motion.clone())
             .column("event", |row| row.event)
             .column("reversed", |row| row.reversed);
-        columns(table).column("refused", |row| Cell::from(row.refused.as_deref()))
+        columns(table).column("refused", |row| row.refused.clone())
     }
 }

@@ -85,7 +85,7 @@ const NOTES: &str = "Needs: the largest closing of the gap while every structure
 /// Adds the numbers of separations to a table: all of them for programs; the width that a gap needs and those of the common rules for
 /// people.
 fn numbers<'a, Of: 'a>(scene: &'a Scene, table: Table<'a, Of>, one: fn(&Of) -> Option<&Separation>) -> Table<'a, Of> {
-    let name = move |row: &Of, side: usize| one(row).map(|one| Cell::from(scene.structures[one.left + side].name()));
+    let name = move |row: &Of, side: usize| one(row).map(|one| scene.structures[one.left + side].name().to_owned());
     let level = move |row: &Of| one(row).map(|one| one.at_level);
     let table = table
         .column("left", move |row| name(row, 0))

@@ -3,7 +3,7 @@
 use super::names::Names;
 use pounding_scene::{Floors, RunResult, Simulation};
 use pounding_solver::{Histories, State, Travel};
-use pounding_text::{digits, to_csv};
+use pounding_text::Table;
 
 /// The states of a run at equal intervals.
 #[derive(Debug, Clone, Copy)]
@@ -44,6 +44,25 @@ impl<'a> Motion<'a> {
     /// States of a floor or wall.
     pub(super) fn states(&self, floor: usize) -> &'a [State] {
         &self.histories.of(floor).states
+    }
+
+    /// A history of a floor or a pair.
+    fn values(&self, quantity: HistoryQuantity, place: usize) -> Vec<f64> {
+        let rows = 0..self.len();
+        let of_states = |value: fn(&State) -> f64| self.states(place)[rows.clone()].iter().map(value).collect();
+        match quantity {
+            HistoryQuantity::Displacement => of_states(|state| state.displacement),
+            HistoryQuantity::Velocity => of_states(|state| state.velocity),
+            HistoryQuantity::AbsoluteAcceleration => {
+                let states = self.states(place);
+                rows.map(|row| states[row].acceleration + self.ground(place, self.time(row)))
+                    .collect()
+            }
+            HistoryQuantity::ShearForce => of_states(|state| state.restoring_force),
+            HistoryQuantity::Drift => self.drifts(place).collect(),
+            HistoryQuantity::PoundingForce => rows.map(|row| self.force(place, row)).collect(),
+            HistoryQuantity::Opening => rows.map(|row| self.opening(place, row)).collect(),
+        }
     }
 
     /// Drift of the storey below a floor over time \[m\].
@@ -94,10 +113,40 @@ pub enum HistoryQuantity {
     ShearForce,
     /// Displacement of a floor relative to the one below \[m\].
     Drift,
-    /// Open width of the gap of a pair \[m\]; negative while its floors overlap.
-    Opening,
     /// Pounding force of a pair \[N\], ≥ 0; 0 of laws that act by impulses.
     PoundingForce,
+    /// Open width of the gap of a pair \[m\]; negative while its floors overlap.
+    Opening,
+}
+
+impl HistoryQuantity {
+    /// Every history, in the order of columns: those of floors, then those of pairs.
+    pub const ALL: [Self; 7] = [
+        Self::Displacement,
+        Self::Velocity,
+        Self::AbsoluteAcceleration,
+        Self::ShearForce,
+        Self::Drift,
+        Self::PoundingForce,
+        Self::Opening,
+    ];
+
+    /// Its name in files, with its unit.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Displacement => "displacement_m",
+            Self::Velocity => "velocity_m_per_s",
+            Self::AbsoluteAcceleration => "absolute_acceleration_m_per_s2",
+            Self::ShearForce => "shear_force_n",
+            Self::Drift => "storey_drift_m",
+            Self::PoundingForce => "pounding_force_n",
+            Self::Opening => "opening_m",
+        }
+    }
+
+    fn is_of_pair(self) -> bool {
+        matches!(self, Self::PoundingForce | Self::Opening)
+    }
 }
 
 /// A history of a run that kept its states: of every floor, walls included, or every pair, its values at t = 0, one
@@ -108,98 +157,45 @@ pub enum HistoryQuantity {
 pub fn history_of(prepared: &Simulation, outcome: &RunResult, quantity: HistoryQuantity) -> Vec<Vec<f64>> {
     let travel = prepared.travel();
     let motion = Motion::of(prepared, travel.as_ref(), outcome);
-    let floors = 0..prepared.floors().all().len();
-    let pairs = 0..prepared.floors().facing().len();
-    let rows = || 0..motion.len();
-    let of_floors = |value: &dyn Fn(usize, usize) -> f64| {
-        let one = |floor| rows().map(|row| value(floor, row)).collect();
-        floors.clone().map(one).collect()
+    let floors = prepared.floors();
+    let places = if quantity.is_of_pair() {
+        floors.facing().len()
+    } else {
+        floors.all().len()
     };
-    let of_pairs = |value: &dyn Fn(usize, usize) -> f64| {
-        let one = |pair| rows().map(|row| value(pair, row)).collect();
-        pairs.clone().map(one).collect()
-    };
-    let state = |floor: usize, row: usize| motion.states(floor)[row];
-    match quantity {
-        HistoryQuantity::Displacement => of_floors(&|floor, row| state(floor, row).displacement),
-        HistoryQuantity::Velocity => of_floors(&|floor, row| state(floor, row).velocity),
-        HistoryQuantity::AbsoluteAcceleration => {
-            of_floors(&|floor, row| state(floor, row).acceleration + motion.ground(floor, motion.time(row)))
-        }
-        HistoryQuantity::ShearForce => of_floors(&|floor, row| state(floor, row).restoring_force),
-        HistoryQuantity::Drift => floors.map(|floor| motion.drifts(floor).collect()).collect(),
-        HistoryQuantity::Opening => of_pairs(&|pair, row| motion.opening(pair, row)),
-        HistoryQuantity::PoundingForce => of_pairs(&|pair, row| motion.force(pair, row)),
-    }
+    (0..places).map(|place| motion.values(quantity, place)).collect()
 }
 
-/// The file.
+/// The file. Walls have no columns, storeys on the ground no drift, and pairs a force only if their law has one.
 pub(super) fn csv(prepared: &Simulation, motion: &Motion<'_>) -> String {
     let floors = prepared.floors();
     let names = Names::of(floors);
-    let moves = |index: &usize| !floors.all()[*index].is_wall();
-    let columns: Vec<usize> = (0..floors.all().len()).filter(moves).collect();
-    // A full model has more pairs than the scene.
-    let facing = floors.facing().iter().enumerate();
-    let compliant: Vec<bool> = facing.map(|(pair, _)| prepared.pairs()[pair].law.is_compliant()).collect();
-    let drifts: Vec<Option<Vec<f64>>> = (0..floors.all().len())
-        .map(|floor| has_drift(floors, floor).then(|| motion.drifts(floor).collect()))
-        .collect();
-    let row = |row: usize| {
-        let time = motion.time(row);
-        let ground = prepared.record().at(time);
-        let mut values = vec![time, ground];
-        for &structure in &columns {
-            let state = motion.states(structure)[row];
-            values.extend([
-                state.displacement,
-                state.velocity,
-                state.acceleration + motion.ground(structure, time),
-                state.restoring_force,
-            ]);
-            if let Some(drifts) = &drifts[structure] {
-                values.push(drifts[row]);
-            }
+    let has_column = |quantity: HistoryQuantity, place: usize| match quantity {
+        HistoryQuantity::Drift => has_drift(floors, place),
+        HistoryQuantity::PoundingForce => prepared.pairs()[place].law.is_compliant(),
+        HistoryQuantity::Opening => true,
+        HistoryQuantity::Displacement | HistoryQuantity::Velocity | HistoryQuantity::AbsoluteAcceleration | HistoryQuantity::ShearForce => {
+            !floors.all()[place].is_wall()
         }
-        for (pair, compliant) in compliant.iter().enumerate() {
-            if *compliant {
-                values.push(motion.force(pair, row));
-            }
-            values.push(motion.opening(pair, row));
-        }
-        values.into_iter().map(digits).collect()
     };
-    let rows: Vec<Vec<String>> = (0..motion.len()).map(row).collect();
-    to_csv(&header(floors, &names, &columns, &compliant), &rows)
+    let table = Table::of(0..motion.len())
+        .column("time_s", |row| motion.time(*row))
+        .column("ground_acceleration_m_per_s2", |row| prepared.record().at(motion.time(*row)));
+    let table = [(&names.structures, false), (&names.pairs, true)]
+        .into_iter()
+        .fold(table, |table, (names, of_pair)| {
+            let columns = (0..names.len()).flat_map(|place| HistoryQuantity::ALL.map(|quantity| (place, quantity)));
+            let columns = columns.filter(|(place, quantity)| quantity.is_of_pair() == of_pair && has_column(*quantity, *place));
+            columns.fold(table, |table, (place, quantity)| {
+                let values = motion.values(quantity, place);
+                table.column(format!("{}_{}", names[place], quantity.name()), move |row| values[*row])
+            })
+        });
+    table.csv()
 }
 
 /// Whether the drift of a storey has a column: in a building of several storeys it is not the displacement.
 fn has_drift(floors: &Floors, floor: usize) -> bool {
     let one = &floors.all()[floor];
     one.storey.is_some() && floors.of_structure(one.structure).len() > 1
-}
-
-/// Names of the columns.
-fn header(floors: &Floors, names: &Names, structures: &[usize], compliant: &[bool]) -> Vec<String> {
-    let mut header = vec!["time_s".into(), "ground_acceleration_m_per_s2".into()];
-    for &structure in structures {
-        let name = &names.structures[structure];
-        let quantities = [
-            "displacement_m",
-            "velocity_m_per_s",
-            "absolute_acceleration_m_per_s2",
-            "shear_force_n",
-        ];
-        header.extend(quantities.map(|quantity| format!("{name}_{quantity}")));
-        if has_drift(floors, structure) {
-            header.push(format!("{name}_storey_drift_m"));
-        }
-    }
-    for (name, compliant) in names.pairs.iter().zip(compliant) {
-        if *compliant {
-            header.push(format!("{name}_pounding_force_n"));
-        }
-        header.push(format!("{name}_opening_m"));
-    }
-    header
 }

@@ -5,7 +5,11 @@ use pounding_solver::Collision;
 use pounding_text::{Cell, Table, digits, instant, short};
 
 /// A table of collisions; `heading` stands above the names of the floors.
-pub(super) fn table<'a>(floors: &'a Floors, collisions: impl Iterator<Item = &'a Collision>, heading: String) -> Table<'a, &'a Collision> {
+pub fn collision_table<'a>(
+    floors: &'a Floors,
+    collisions: impl Iterator<Item = &'a Collision>,
+    heading: String,
+) -> Table<'a, &'a Collision> {
     let thousandths = |value: f64| short(1e-3 * value);
     Table::of(collisions)
         .shown(heading, |one| floors.names(one.pair).join(" – "))

@@ -43,6 +43,7 @@ mod folder;
 mod gaps;
 mod history;
 mod impacts;
+mod motion;
 mod names;
 mod opensees;
 mod page;
@@ -68,6 +69,8 @@ pub use folder::{MotionRow, OfFolder, UnderMotion, said_briefly};
 pub use gaps::{GapsUnderMotion, gaps_answer, gaps_table};
 use history::Motion;
 pub use history::{HistoryQuantity, history_of};
+pub use impacts::collision_table;
+pub use motion::MeasuredRecord;
 pub use opensees::{OpenSees, OpenSeesError};
 use pounding_assess::Effects;
 use pounding_files::ResultNames;
@@ -76,7 +79,7 @@ use sampling::Sampling;
 pub use shown::{InWords, tables};
 pub use site::{Site, SitedNumber};
 pub use sketch::Sketch;
-pub use spectra::{SpectraLabels, spectra_figure};
+pub use spectra::{SpectraLabels, spectra_figure, spectra_table, spectral_columns};
 pub use summary::{
     CollisionSummary, ErrorSummary, LedgerSummary, MethodSummary, Numbers, PairErrorSummary, PairSummary, ReadingSummary, RecordSummary,
     SCHEMA_VERSION, StructureSummary, Summary, WorkSummary,
@@ -193,7 +196,7 @@ impl<'a> Report<'a> {
             (HISTORY.into(), history::csv(prepared, &motion).into_bytes()),
             (
                 IMPACTS.into(),
-                impacts::table(prepared.floors(), outcome.collisions.all().iter(), String::new())
+                collision_table(prepared.floors(), outcome.collisions.all().iter(), String::new())
                     .csv()
                     .into_bytes(),
             ),

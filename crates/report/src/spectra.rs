@@ -1,8 +1,8 @@
-//! Response spectra as a picture.
+//! Response spectra as a table and as a picture.
 
 use pounding_plot::{Axis, Curve, CurveKind, Figure, Legend, Panel, PlotError, Shade, render_both, writable};
 use pounding_scene::{SpectralValues, Spectrum};
-use pounding_text::digits;
+use pounding_text::{Cell, Table, Unit, digits};
 
 /// How spectra are shown.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -32,6 +32,31 @@ const SHADES: [Shade; 7] = [
 /// [`PlotError`] for values that are not finite.
 pub fn spectra_figure(spectra: &[Spectrum], shown: SpectraLabels<'_>) -> Result<(String, Vec<u8>), PlotError> {
     render_both(&figure(spectra, shown))
+}
+
+/// A row for each damping ratio and period.
+pub fn spectra_table(spectra: &[Spectrum]) -> Table<'_, (f64, &SpectralValues)> {
+    let rows = spectra
+        .iter()
+        .flat_map(|spectrum| spectrum.values.iter().map(move |values| (spectrum.damping_ratio, values)));
+    let table = Table::of(rows).column("damping_ratio", |(damping, _)| Cell::exact(*damping));
+    spectral_columns(table, |(_, values)| values)
+}
+
+/// Returns the table with the responses of a structure of one period.
+pub fn spectral_columns<'a, Of: 'a>(table: Table<'a, Of>, values: fn(&Of) -> &SpectralValues) -> Table<'a, Of> {
+    table
+        .number("period_s", "Period", &Unit::PERIOD, move |row| values(row).period)
+        .number("sd_m", "Sd", &Unit::METRE, move |row| values(row).displacement)
+        .number("pseudo_sv_m_per_s", "pseudo-Sv", &Unit::SPEED, move |row| {
+            values(row).pseudo_velocity
+        })
+        .number("pseudo_sa_m_per_s2", "pseudo-Sa", &Unit::ACCELERATION, move |row| {
+            values(row).pseudo_acceleration
+        })
+        .number("sa_m_per_s2", "Sa", &Unit::ACCELERATION, move |row| {
+            values(row).absolute_acceleration
+        })
 }
 
 fn figure(spectra: &[Spectrum], shown: SpectraLabels<'_>) -> Figure {

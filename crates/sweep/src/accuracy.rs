@@ -16,7 +16,7 @@ use super::permutation::Permutation;
 use super::prices::{ALONE, Counts, HALVED, Prices, mean, step};
 use super::sampling::SamplePoint;
 use pounding_scene::{Method, RunMode, Simulation};
-use pounding_text::to_csv;
+use pounding_text::{Cell, Table};
 
 /// Number of runs that choose the method, and number of runs that measure it.
 const CHOOSING: usize = 64;
@@ -51,19 +51,18 @@ impl SweepAccuracy {
 
     /// Errors of all columns, and of rows, as CSV.
     pub fn csv(&self) -> String {
-        let header = ["column", "runs", "median", "p90", "p95", "p99", "largest"];
-        let row = |errors: &ColumnErrors| {
-            let numbers = errors.quantiles.iter().chain([&errors.largest]);
-            let number = |error: &f64| match errors.runs {
-                0 => String::new(),
-                _ => format!("{error:.3e}"),
-            };
-            let numbers = numbers.map(number);
-            let names = [errors.name.clone(), errors.runs.to_string()].into_iter();
-            names.chain(numbers).collect()
-        };
-        let rows: Vec<_> = self.columns.iter().chain([&self.rows]).map(row).collect();
-        to_csv(&header.map(String::from), &rows)
+        let written = |errors: &ColumnErrors, error: f64| Cell::number((errors.runs > 0).then_some(error), |error| format!("{error:.3e}"));
+        let quantiles = (0..).zip(["median", "p90", "p95", "p99"]);
+        Table::of(self.columns.iter().chain([&self.rows]))
+            .column("column", |errors| errors.name.clone())
+            .column("runs", |errors| errors.runs)
+            .columns(
+                quantiles,
+                |(_, name)| name.into(),
+                |errors, (index, _): (usize, _)| written(errors, errors.quantiles[index]),
+            )
+            .column("largest", |errors| written(errors, errors.largest))
+            .csv()
     }
 }
 

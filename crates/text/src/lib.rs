@@ -3,7 +3,7 @@
 //! All other crates write the numbers in messages, tables and figures with this crate. Commands print an [`Answer`]: as text, CSV or JSON.
 //!
 //! ```
-//! use pounding_text::{Cell, csv_text, rounded_up, short};
+//! use pounding_text::{Cell, Table, rounded_up, short};
 //!
 //! // T = 2π √(m/k) of 75 t on 2.056 MN/m is 1.200049 s: four digits of it.
 //! let period = std::f64::consts::TAU * (75e3_f64 / 2.056e6).sqrt();
@@ -14,8 +14,10 @@
 //! assert_eq!(rounded_up(gap, 1), "46.9");
 //!
 //! // A number that does not exist is an empty cell, and no cell holds NaN.
-//! let table = csv_text(&["period_s", "gap_mm"], [[Cell::number(period, short), Cell::exact(f64::NAN)]]);
-//! assert_eq!(table, "period_s,gap_mm\n1.200,\n");
+//! let table = Table::of([(period, f64::NAN)])
+//!     .column("period_s", |row| Cell::number(row.0, short))
+//!     .column("gap_mm", |row| row.1);
+//! assert_eq!(table.csv(), "period_s,gap_mm\n1.200,\n");
 //! ```
 //!
 //! An answer also says how its parts stand on a page: [`Where`] and [`Manner`]. `pounding-report` makes the page. Texts inside figures
@@ -46,7 +48,7 @@ mod visible;
 mod words;
 
 pub use answer::{Answer, Form, Manner, Part, Sentences, Where};
-pub use cell::{Cell, csv_text, harmless, json_text, to_csv};
+pub use cell::{Cell, CellKind, CellValue, harmless, json_text};
 pub use grid::{Grid, Heading, NONE, Shown};
 pub use knob::{Knob, Naming};
 pub use place::{FaultPlace, Spot};

@@ -4,12 +4,14 @@ use std::borrow::Cow;
 
 use serde_json::{Map, Value};
 
-use crate::{Cell, Grid, Heading, Shown, Unit, csv_text};
+use crate::cell::csv_text;
+use crate::{Cell, CellKind, CellValue, Grid, Heading, Shown, Unit};
 
 /// A column: its name for programs, its heading for people, and how to take its cells from a row, so that header and cells cannot part.
 struct Column<'a, Row> {
     /// Name in files; `None` if only people read it.
     name: Option<Cow<'static, str>>,
+    kind: CellKind,
     cell: Box<dyn Fn(&Row) -> Cell + 'a>,
     /// Heading with unit, and text; `None` if only programs read it.
     people: Option<People<'a, Row>>,
@@ -73,9 +75,10 @@ impl<'a, Row: 'a> Table<'a, Row> {
     /// Returns the table with one column more for programs, whose cells `cell` takes from the rows. Numbers get seven significant digits;
     /// [`Cell::number`] takes another format.
     #[must_use]
-    pub fn column<C: Into<Cell>>(mut self, name: impl Into<Cow<'static, str>>, cell: impl Fn(&Row) -> C + 'a) -> Self {
+    pub fn column<C: CellValue>(mut self, name: impl Into<Cow<'static, str>>, cell: impl Fn(&Row) -> C + 'a) -> Self {
         self.columns.push(Column {
             name: Some(name.into()),
+            kind: C::KIND,
             cell: Box::new(move |row| cell(row).into()),
             people: None,
         });
@@ -84,7 +87,7 @@ impl<'a, Row: 'a> Table<'a, Row> {
 
     /// Returns the table with one column more for each of some keys; `name` and `cell` get the key.
     #[must_use]
-    pub fn columns<Key: Copy + 'a, C: Into<Cell>>(
+    pub fn columns<Key: Copy + 'a, C: CellValue>(
         self,
         keys: impl IntoIterator<Item = Key>,
         name: impl Fn(Key) -> String,
@@ -99,6 +102,7 @@ impl<'a, Row: 'a> Table<'a, Row> {
     pub fn shown<S: Into<Shown>>(mut self, heading: impl Into<Heading>, text: impl Fn(&Row) -> S + 'a) -> Self {
         self.columns.push(Column {
             name: None,
+            kind: CellKind::Text,
             cell: Box::new(|_| Cell::default()),
             people: Some(People {
                 heading: heading.into(),
@@ -146,7 +150,7 @@ impl<'a, Row: 'a> Table<'a, Row> {
 
     /// Returns the table with one column more for both: what programs take from a row, and what people read of it.
     #[must_use]
-    pub fn both<C: Into<Cell>, S: Into<Shown>>(
+    pub fn both<C: CellValue, S: Into<Shown>>(
         self,
         name: impl Into<Cow<'static, str>>,
         heading: impl Into<Heading>,
@@ -156,6 +160,7 @@ impl<'a, Row: 'a> Table<'a, Row> {
         let mut table = self.shown(heading, text);
         if let Some(column) = table.columns.last_mut() {
             column.name = Some(name.into());
+            column.kind = C::KIND;
             column.cell = Box::new(move |row| cell(row).into());
         }
         table
@@ -168,6 +173,14 @@ impl<'a, Row: 'a> Table<'a, Row> {
     /// Names of the columns for programs.
     pub fn names(&self) -> impl Iterator<Item = &str> {
         self.named().map(|(name, _)| name)
+    }
+
+    /// The columns for programs: the name of each, the kind of its values, and its values.
+    pub fn values(&self) -> impl Iterator<Item = (&str, CellKind, Vec<Value>)> {
+        self.named().map(|(name, column)| {
+            let values = self.rows.iter().map(|row| (column.cell)(row).json());
+            (name, column.kind, values.collect())
+        })
     }
 
     /// The table for programs as CSV: the names of its columns, and a line for each row.
@@ -215,7 +228,20 @@ fn put(all: &mut Map<String, Value>, name: &str, value: Value) {
 
 #[cfg(test)]
 mod tests {
-    use crate::Table;
+    use crate::{Cell, CellKind, Table};
+
+    /// A column without rows, or with an empty first cell, had the type of another one.
+    #[test]
+    fn issue_a_column_knows_its_kind_without_rows() {
+        let none: [Option<usize>; 0] = [];
+        let table = Table::of(none)
+            .column("text", |_| "")
+            .column("flag", |row| row.map(|_| true))
+            .column("count", |row| *row)
+            .column("number", |row| Cell::exact(row.map(|one| one as f64)));
+        let kinds: Vec<_> = table.values().map(|(_, kind, _)| kind).collect();
+        assert_eq!(kinds, [CellKind::Text, CellKind::Truth, CellKind::Count, CellKind::Number]);
+    }
 
     /// A name that a spreadsheet would run had its apostrophe in JSON, too, and no longer matched the scene.
     #[test]

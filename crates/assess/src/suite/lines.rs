@@ -22,7 +22,7 @@ pub struct MotionLine<T> {
 impl<T> MotionLine<T> {
     /// Name for tables.
     pub fn name(&self) -> String {
-        let reversed = if self.reversed { " rev." } else { "" };
+        let reversed = if self.reversed { ", reversed" } else { "" };
         format!("{}{reversed}", self.motion)
     }
 

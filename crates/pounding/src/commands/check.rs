@@ -1,13 +1,12 @@
 //! `pounding check`: what would run, and what its time step can follow.
 
-mod json;
-
 use std::path::PathBuf;
 
-use pounding::report::{method_facts, other_direction_exact, record_facts};
+use pounding::report::{RecordSummary, method_facts, other_direction_exact, record_facts};
 use pounding::scene::{Columns, ContactLimit, Excess, FreeLimit, Implausible, MethodLimits, RunResult, Simulation, Structure};
 use pounding::solver::Opening;
-use pounding::text::{Answer, Form, Grid, Manner, NONE, Refused, Shown, Table, Unit, Where, short};
+use pounding::text::{Answer, Cell, Form, Manner, NONE, Refused, Shown, Table, Unit, Where, short};
+use serde_json::{Value, json};
 
 use crate::progress::Waiting;
 
@@ -69,6 +68,18 @@ impl Expected {
         all.map(|one| one.to_string()).collect()
     }
 
+    /// The work of the exact run, for programs.
+    fn work(&self) -> Value {
+        let work = &self.outcome.work;
+        json!({"segments": work.segments, "events": work.events})
+    }
+
+    /// Every pair in the order of the scene, for programs.
+    fn pairs(&self, prepared: &Simulation) -> Value {
+        let all: Vec<usize> = (0..prepared.floors().facing().len()).collect();
+        pairs(prepared, self, &all).json()
+    }
+
     /// The expectation for a pair that does not touch in the direction of the scene.
     fn apart(&self, pair: usize) -> &'static str {
         match &self.reversed {
@@ -111,8 +122,8 @@ impl<'a> Plan<'a> {
     }
 }
 
-/// The plan of a scene.
-fn answer<'a>(plan: &'a Plan<'_>) -> Answer<'a> {
+/// The plan of a scene. Facts that are not known or do not apply are null; all that follow from the exact run are null if it fails.
+fn answer(plan: &Plan<'_>) -> Answer<'static> {
     let prepared = plan.prepared;
     let doubts = prepared.doubts();
     let unusual = Implausible::lines(doubts.iter().map(|one| ("", one)));
@@ -130,17 +141,50 @@ fn answer<'a>(plan: &'a Plan<'_>) -> Answer<'a> {
         .say_as(Where::Terminal, Manner::Facts, "Record", record_facts(prepared))
         .say_as(Where::Terminal, Manner::Facts, "Method", method_facts(prepared))
         .say(Where::Terminal, "Model", model_lines(plan))
-        .table(Where::Terminal, structures(prepared));
+        .table(Where::Terminal, structures(prepared).grid());
     if let Some(expected) = &plan.expected {
         answer = answer
             .say(Where::Terminal, "Cost", vec![cost_lines(prepared, &expected.outcome)])
             .say(Where::Terminal, "Pairs", no_pairs(prepared))
-            .table(Where::Terminal, pairs(prepared, expected));
+            .table(
+                Where::Terminal,
+                pairs(prepared, expected, &prepared.floors().pairs_by_contact()).grid(),
+            );
     }
     answer
         .say(Where::Terminal, "Notes", NOTES.map(String::from).to_vec())
         .say(Where::Terminal, "Warnings", warnings)
-        .with_json(|| json::of(plan))
+        .fact("unusual", json!(doubts))
+        .fact("scene", json!(prepared.scene()))
+        .fact("record", json!(RecordSummary::of(prepared)))
+        .fact("method", method(prepared))
+        .fact("structures", structures(prepared).json())
+        .fact("base_approaches", approaches(prepared))
+        .fact("exact_run", plan.expected.as_ref().map(Expected::work))
+        .fact("pairs", plan.expected.as_ref().map(|expected| expected.pairs(prepared)))
+        .fact("not_needed", plan.expected.as_ref().map(|expected| expected.unneeded.clone()))
+        .fact("warnings", plan.warnings.clone())
+}
+
+/// The method for programs.
+fn method(prepared: &Simulation) -> Value {
+    let method = prepared.scene().method;
+    json!({
+        "name": method.name(),
+        "time_step_s": method.time_step(),
+        "duration_s": prepared.duration(),
+        "chosen_for_error": prepared.advice().map(|advice| advice.goal.error),
+    })
+}
+
+/// For programs, how far the bases of every structure and its right neighbour approach, at most; negative if they move apart. Null if all
+/// are shaken at once.
+fn approaches(prepared: &Simulation) -> Option<Value> {
+    let openings = prepared.openings();
+    let all = Table::of(&openings)
+        .column("largest_approach_m", |one| Cell::exact(one.distance))
+        .column("time_s", |one| Cell::exact(one.time));
+    (!openings.is_empty()).then(|| all.json())
 }
 
 /// The sentence in place of an empty table of pairs.
@@ -235,15 +279,28 @@ fn cost_lines(prepared: &Simulation, expected: &RunResult) -> String {
     }
 }
 
-fn structures(prepared: &Simulation) -> Grid {
+/// Every structure. The list of yield forces has one for each storey, from the ground up.
+fn structures(prepared: &Simulation) -> Table<'_, (&Structure, Option<f64>)> {
     let limits = prepared.critical_time_steps();
     Table::of(prepared.scene().structures.iter().zip(limits))
-        .shown("Structure", |(one, _)| one.name().to_owned())
-        .shown_in("s", "Period", |(one, _)| one.period().map(short))
-        .shown("Damping ratio", |(one, _)| one.damping_ratio().map(short))
-        .shown_in("kN", "Yields at", |(one, _)| yields_at(one))
-        .shown_in("s", "Limit", |(_, limit)| limit.map(short))
-        .grid()
+        .both(
+            "name",
+            "Structure",
+            |(one, _)| one.name().to_owned(),
+            |(one, _)| one.name().to_owned(),
+        )
+        .number("period_s", "Period", &Unit::PERIOD, |(one, _)| one.period())
+        .number("damping_ratio", "Damping ratio", &Unit::ONE, |(one, _)| one.damping_ratio())
+        .column("yield_force_n", |(one, _)| {
+            Cell::exact(one.yield_forces().first().copied().flatten())
+        })
+        .both(
+            "yield_forces_n",
+            ("Yields at", "kN"),
+            |(one, _)| json!(one.yield_forces()),
+            |(one, _)| yields_at(one),
+        )
+        .number("critical_time_step_s", "Limit", &Unit::PERIOD, |(_, limit)| *limit)
 }
 
 /// Yield force of a structure \[kN\]: the least and the largest if storeys differ, and how many yield if some stay elastic.
@@ -272,10 +329,15 @@ struct ExpectedPair<'a> {
 }
 
 impl ExpectedPair<'_> {
-    /// A number of the free collision at the largest speed; empty for a pair that does not touch.
-    fn free(&self, number: impl Fn(&FreeLimit) -> Option<String>) -> Shown {
+    /// A number of the free collision at the largest speed.
+    fn number(&self, number: impl Fn(&FreeLimit) -> Option<f64>) -> Cell {
+        Cell::exact(self.touch.ok().and_then(|limit| number(limit.free.as_ref()?)))
+    }
+
+    /// What people read of the free collision; an empty text for a pair that does not touch.
+    fn free(&self, text: impl Fn(&FreeLimit) -> Option<String>) -> Shown {
         match self.touch {
-            Ok(limit) => limit.free.as_ref().and_then(number).into(),
+            Ok(limit) => limit.free.as_ref().and_then(text).into(),
             Err(_) => "".into(),
         }
     }
@@ -295,10 +357,14 @@ impl ExpectedPair<'_> {
     }
 }
 
-fn pairs(prepared: &Simulation, expected: &Expected) -> Grid {
+/// These pairs, each with the free collision at its largest speed.
+fn pairs<'a>(prepared: &'a Simulation, expected: &'a Expected, order: &[usize]) -> Table<'a, ExpectedPair<'a>> {
     let contacts = prepared.scene().contacts.as_deref().unwrap_or_default();
     let floors = prepared.floors();
-    let rows = floors.pairs_by_contact().into_iter().map(|index| {
+    let contact = move |one: &ExpectedPair<'_>| &contacts[floors.facing()[one.index].contact];
+    let name = move |one: &ExpectedPair<'_>, side: usize| floors.names(one.index)[side].clone();
+    let touches = |run: &RunResult, pair: usize| run.collisions_of(pair).next().is_some();
+    let rows = order.iter().map(|&index| {
         let mut limits = expected.limits.contacts.iter();
         let limit = limits.find(|limit| limit.pair == index);
         ExpectedPair {
@@ -308,16 +374,47 @@ fn pairs(prepared: &Simulation, expected: &Expected) -> Grid {
     });
     Table::of(rows)
         .shown("Pair", |one| floors.names(one.index).join(" – "))
-        .shown_number("Gap", &Unit::GAP, |one| contacts[floors.facing()[one.index].contact].gap_m)
-        .shown_in("m/s", "Speed", ExpectedPair::speed)
-        .shown_in("ms", "Lasts", |one| one.free(|free| free.duration.map(|lasts| short(1e3 * lasts))))
-        .shown("Steps", |one| one.free(|free| free.steps.map(steps)))
-        .shown_in("ms", "Limit", ExpectedPair::limit)
-        .shown("e", |one| one.free(|free| free.restitution.map(|e| format!("{e:.3}"))))
+        .column("left", move |one| name(one, 0))
+        .column("right", move |one| name(one, 1))
+        .number("gap_m", "Gap", &Unit::GAP, move |one| contact(one).gap_m)
+        .column("law", move |one| contact(one).law.name())
+        .column("touches", |one| one.touch.is_ok())
+        .column("touches_reversed", move |one| Some(touches(expected.reversed.as_ref()?, one.index)))
+        .both(
+            "approach_speed_m_per_s",
+            ("Speed", "m/s"),
+            |one| one.number(|free| Some(free.approach_speed)),
+            ExpectedPair::speed,
+        )
+        .both(
+            "contact_duration_s",
+            ("Lasts", "ms"),
+            |one| one.number(|free| free.duration),
+            |one| one.free(|free| free.duration.map(|lasts| short(1e3 * lasts))),
+        )
+        .both(
+            "steps_per_contact",
+            "Steps",
+            |one| one.number(|free| free.steps),
+            |one| one.free(|free| free.steps.map(steps)),
+        )
+        .both(
+            "critical_time_step_s",
+            ("Limit", "ms"),
+            |one| Cell::exact(one.touch.ok().and_then(|limit| limit.critical_time_step)),
+            ExpectedPair::limit,
+        )
+        .both(
+            "restitution",
+            "e",
+            |one| one.number(|free| free.restitution),
+            |one| one.free(|free| free.restitution.map(|e| format!("{e:.3}"))),
+        )
+        .column("least_restitution", |one| one.number(|free| Some(free.delivered?.range[0])))
+        .column("largest_restitution", |one| one.number(|free| Some(free.delivered?.range[1])))
         .shown("Method's e", |one| {
             one.free(|free| free.delivered.map(|delivered| between(delivered.range)))
         })
-        .grid()
 }
 
 /// How many steps a contact has: few with decimals.

@@ -8,7 +8,8 @@ use std::path::{Path, PathBuf};
 
 use pounding::report::{InWords, Summary, tables};
 use pounding::scene::{Error, Errors, Floor, PairQuantity, Quantity, QuantityGroup, QuantityKind, Review, Simulation};
-use pounding::text::{Answer, Form, Grid, NONE, Refused, Where, digits, json_text, percent, short};
+use pounding::text::{Answer, Form, Grid, NONE, Refused, Where, digits, percent, short};
+use serde_json::json;
 
 use crate::progress::Waiting;
 use rows::{ComparedRow, ComparedValue, changed};
@@ -38,14 +39,6 @@ pub(crate) struct Arguments {
     /// Print JSON, SI units: for each scene what `run --json` prints.
     #[arg(long)]
     json: bool,
-}
-
-/// The answer as JSON.
-#[derive(serde::Serialize)]
-struct Compared {
-    /// The files of the scenes, as they were given.
-    files: Vec<String>,
-    runs: Vec<Summary>,
 }
 
 /// A scene that ran.
@@ -90,7 +83,11 @@ pub(crate) fn run(args: &Arguments) -> Result<String, Refused> {
     let answer = Answer::new()
         .table(Where::Terminal, grid.in_blocks())
         .say(Where::Terminal, "More", alike)
-        .with_json(|| json_of(&runs));
+        .fact("files", runs.iter().map(|run| run.file.display().to_string()).collect::<Vec<_>>())
+        .fact(
+            "runs",
+            json!(runs.iter().map(|run| Summary::of(&run.prepared, &run.review)).collect::<Vec<_>>()),
+        );
     Ok(answer.text(Form::asked(false, false, args.json)))
 }
 
@@ -169,16 +166,6 @@ fn names(runs: &[ComparedRun]) -> Vec<String> {
     let differ = |names: &Vec<String>| names.iter().collect::<BTreeSet<_>>().len() == names.len();
     let found = ways.into_iter().find(differ);
     found.unwrap_or_else(|| runs.iter().map(path).collect())
-}
-
-fn json_of(runs: &[ComparedRun]) -> String {
-    let summary = |run: &ComparedRun| Summary::of(&run.prepared, &run.review);
-    // A `Value` would sort the fields of a summary.
-    let all = Compared {
-        files: runs.iter().map(|run| run.file.display().to_string()).collect(),
-        runs: runs.iter().map(summary).collect(),
-    };
-    json_text(&all)
 }
 
 /// A name and a cell for every scene.
@@ -261,7 +248,10 @@ fn of_pair(runs: &[ComparedRun], place: ComparedPlace, heading: &str) -> Vec<Com
         }
         number(runs, quantity, |run| run.shown().value(quantity, index(run)?))
     });
-    std::iter::once(name).chain(rows).collect()
+    let law = row("  law", runs, |run| {
+        index(run).map_or(String::from(NONE), |index| run.prepared.pairs()[index].law.name().into())
+    });
+    [name, law].into_iter().chain(rows).collect()
 }
 
 /// Number of collisions, and that of the exact run if it differs.

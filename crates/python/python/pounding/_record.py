@@ -176,7 +176,7 @@ class Record:
             f"at {facts['pga_time_s']:g} s"
         ]
         for one in facts["readings"]:
-            where = "" if one["line"] is None else f" (line {one['line']})"
+            where = f" (line {one['line']})" if "line" in one else ""
             lines.append(f"  {one['what']}: {one['found']}{where}")
         if self.scale_factor != 1.0:
             lines.append(f"  multiplied by {self.scale_factor:.6g}")

@@ -102,7 +102,8 @@ class Run:
         return frame(self.table("impacts"))
 
     def history(self, name: str) -> Floats:
-        """A history by its name: ``displacement``, ``velocity``, ``acceleration``, ``shear_force``, ``drift``, ``opening`` or ``pounding_force``."""
+        """A history by its name in ``history.csv``, without the floor or pair: ``displacement_m``, ``velocity_m_per_s``,
+        ``absolute_acceleration_m_per_s2``, ``shear_force_n``, ``storey_drift_m``, ``pounding_force_n`` or ``opening_m``."""
         rows: Floats = view(self._native.history(name))
         return rows.T
 
@@ -114,37 +115,37 @@ class Run:
     @property
     def displacement(self) -> Floats:
         """Displacement of every floor relative to the ground, positive to the right [m]."""
-        return self.history("displacement")
+        return self.history("displacement_m")
 
     @property
     def velocity(self) -> Floats:
         """Velocity of every floor relative to the ground [m/s]."""
-        return self.history("velocity")
+        return self.history("velocity_m_per_s")
 
     @property
     def acceleration(self) -> Floats:
         """Acceleration of every floor including that of the ground [m/s²]. Impulses have no acceleration and are left out."""
-        return self.history("acceleration")
+        return self.history("absolute_acceleration_m_per_s2")
 
     @property
     def shear_force(self) -> Floats:
         """Shear force of the storey below every floor [N]."""
-        return self.history("shear_force")
+        return self.history("shear_force_n")
 
     @property
     def drift(self) -> Floats:
         """Displacement of every floor relative to the one below [m]."""
-        return self.history("drift")
+        return self.history("storey_drift_m")
 
     @property
     def opening(self) -> Floats:
         """Open width of the gap of every pair [m]; negative while floors overlap."""
-        return self.history("opening")
+        return self.history("opening_m")
 
     @property
     def pounding_force(self) -> Floats:
         """Pounding force of every pair [N], ≥ 0; 0 for laws that act by impulses."""
-        return self.history("pounding_force")
+        return self.history("pounding_force_n")
 
     @property
     def sentence(self) -> str:

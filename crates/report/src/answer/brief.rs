@@ -56,7 +56,7 @@ pub(super) fn pairs(prepared: &Simulation, outcome: &RunResult) -> Grid {
             prepared.floors().names(blow.pair).join(" – ")
         })
         .shown_number("Gap", &Unit::GAP, |blow| prepared.pairs()[blow.pair].gap())
-        .shown("Times", |blow| outcome.of_pair(blow.pair).collisions)
+        .shown("Collisions", |blow| outcome.of_pair(blow.pair).collisions)
         .shown_number("Approach", &Unit::SPEED, |blow| blow.speed)
         .shown_number("Impulse", &Unit::NEWTON_SECOND, |blow| blow.impulse)
         .shown_in("kN", "Force", |blow| {

@@ -4,7 +4,7 @@ use pounding_scene::{FloorQuantity, Quantity, RunResult, Simulation};
 use pounding_text::{Grid, Shown, Table, digits, instant, short};
 
 use crate::shown::tables::{MOTIONS, PAIRS, STOREYS, STRUCTURES};
-use crate::{InWords, impacts};
+use crate::{InWords, collision_table};
 
 /// Most collisions that are shown; `impacts.csv` has all.
 const MOST: usize = 10;
@@ -117,5 +117,5 @@ pub(super) fn collisions(prepared: &Simulation, outcome: &RunResult) -> Grid {
         0 => "Collision of".into(),
         left => format!("Collision of ({left} more in impacts.csv)"),
     };
-    impacts::table(prepared.floors(), all.iter().take(MOST), heading).grid()
+    collision_table(prepared.floors(), all.iter().take(MOST), heading).grid()
 }

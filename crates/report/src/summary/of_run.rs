@@ -1,5 +1,6 @@
 //! What a run left behind, turned into its summary.
 
+use pounding_motion::Reading;
 use pounding_solver::Collision;
 
 use super::{
@@ -38,11 +39,6 @@ impl RecordSummary {
             Source::Generated(_) => None,
         };
         let origin = prepared.origin();
-        let read = |reading: &pounding_motion::Reading| ReadingSummary {
-            what: reading.what.into(),
-            line: reading.line,
-            found: reading.found.clone(),
-        };
         let (pga_time_s, peak_m_per_s2) = record.peak();
         Self {
             file,
@@ -57,7 +53,17 @@ impl RecordSummary {
             pga_time_s,
             provenance: record.source().into(),
             processing: prepared.scene().record.processing(),
-            readings: origin.map_or_else(Vec::new, |origin| origin.file.readings().iter().map(read).collect()),
+            readings: origin.map_or_else(Vec::new, |origin| origin.file.readings().iter().map(ReadingSummary::from).collect()),
+        }
+    }
+}
+
+impl From<&Reading> for ReadingSummary {
+    fn from(reading: &Reading) -> Self {
+        Self {
+            what: reading.what.into(),
+            line: reading.line,
+            found: reading.found.clone(),
         }
     }
 }

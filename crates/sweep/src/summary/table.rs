@@ -1,7 +1,8 @@
 //! Output of a summary: a tidy table, and a few numbers for people.
 
 use pounding_assess::wilson;
-use pounding_text::{Cell, csv_text};
+use pounding_text::{Cell, CellKind, Table};
+use serde_json::Value;
 
 use super::exact::Sums;
 use super::form::{Form, Summed};
@@ -10,8 +11,6 @@ use super::tally::{CellTally, ColumnTally, Tally};
 use crate::column::SweepColumn;
 use crate::output::is_of_all;
 
-/// Names of the columns after those that identify cells.
-const COLUMNS: [&str; 6] = ["column", "statistic", "at", "value", "low", "high"];
 /// Value of `column` for counts of runs.
 const RUN: &str = "run";
 
@@ -79,47 +78,43 @@ impl SummaryTable {
 
     /// The table as CSV: a row for every statistic of every column of every cell.
     pub fn csv(&self) -> String {
-        let header: Vec<&str> = self.header().collect();
-        let rows = self.lines().map(|(cell, line)| {
-            let mut row: Vec<Cell> = self.form.values_of(cell).into_iter().map(Cell::from).collect();
-            let (low, high) = line.bounds.unzip();
-            row.extend([line.column.into(), line.statistic.into()]);
-            row.extend([line.at, line.value, low, high].map(Cell::exact));
-            row
-        });
-        csv_text(&header, rows)
+        self.table().csv()
     }
 
-    /// The table as columns.
+    fn table(&self) -> Table<'_, (u64, SummaryLine)> {
+        let by = &self.form.by;
+        Table::of(self.lines())
+            .columns(
+                0..by.len(),
+                |axis| by[axis].name.clone(),
+                |(cell, _), axis| self.form.values_of(*cell)[axis].to_owned(),
+            )
+            .column("column", |(_, line)| line.column.clone())
+            .column("statistic", |(_, line)| line.statistic)
+            .column("at", |(_, line)| Cell::exact(line.at))
+            .column("value", |(_, line)| Cell::exact(line.value))
+            .column("low", |(_, line)| Cell::exact(line.bounds.map(|bounds| bounds.0)))
+            .column("high", |(_, line)| Cell::exact(line.bounds.map(|bounds| bounds.1)))
+    }
+
+    /// The table as columns. The values of an axis are numbers if all of them are.
     pub(crate) fn columns(&self) -> Vec<(String, SweepColumn)> {
-        let n_cells = self.form.by.len();
-        let mut texts: Vec<Vec<Option<String>>> = vec![Vec::new(); n_cells + 2];
-        let mut numbers: Vec<Vec<f64>> = vec![Vec::new(); 4];
-        for (cell, line) in self.lines() {
-            let values = self.form.values_of(cell).into_iter().map(String::from);
-            let of_line = [line.column, line.statistic.into()];
-            for (column, text) in texts.iter_mut().zip(values.chain(of_line)) {
-                column.push(Some(text));
-            }
-            let (low, high) = line.bounds.unzip();
-            for (column, number) in numbers.iter_mut().zip([line.at, line.value, low, high]) {
-                column.push(number.unwrap_or(f64::NAN));
-            }
-        }
-        let texts = texts.into_iter().enumerate().map(|(index, texts)| {
-            let parsed = texts.iter().map(|text| text.as_ref()?.parse().ok());
-            match parsed.collect::<Option<Vec<f64>>>() {
-                Some(numbers) if index < n_cells => SweepColumn::Numbers(numbers),
-                _ => SweepColumn::Texts(texts),
-            }
+        let table = self.table();
+        let columns = table.values().enumerate().map(|(index, (name, kind, values))| {
+            let numbers = |number: fn(&Value) -> Option<f64>| values.iter().map(number).collect::<Option<Vec<f64>>>();
+            let axis = numbers(|text| text.as_str()?.parse().ok()).filter(|_| index < self.form.by.len());
+            let numbers = if kind == CellKind::Number {
+                numbers(|number| Some(number.as_f64().unwrap_or(f64::NAN)))
+            } else {
+                axis
+            };
+            let texts = || values.iter().map(|text| text.as_str().map(String::from)).collect();
+            (
+                name.to_owned(),
+                numbers.map_or_else(|| SweepColumn::Texts(texts()), SweepColumn::Numbers),
+            )
         });
-        let columns = texts.chain(numbers.into_iter().map(SweepColumn::Numbers));
-        self.header().map(String::from).zip(columns).collect()
-    }
-
-    fn header(&self) -> impl Iterator<Item = &str> {
-        let by = self.form.by.iter().map(|by| by.name.as_str());
-        by.chain(COLUMNS)
+        columns.collect()
     }
 
     /// The lines of all cells, each with its cell.

@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 
 use pounding::assess::{LeftOut, LeftOutReason, Suite, SuiteMotion};
 use pounding::motion::{Direction, Drift, Measures};
+use pounding::report::MeasuredRecord;
 use pounding::text::{Form, Naming, Refused};
 use rayon::prelude::*;
 
@@ -61,6 +62,17 @@ struct MeasuredMotion {
     placed: Result<(Option<Direction>, usize), LeftOutReason>,
     measures: Measures,
     drift: Option<Drift>,
+}
+
+impl MeasuredMotion {
+    /// The record with its measures.
+    fn measured(&self) -> MeasuredRecord<'_> {
+        MeasuredRecord {
+            record: &self.opened.record,
+            measures: self.measures,
+            drift: self.drift,
+        }
+    }
 }
 
 /// Reads the files; returns what they hold.

@@ -2,9 +2,9 @@
 
 use std::path::{Path, PathBuf};
 
-use pounding::report::{SpectraLabels, spectra_figure};
+use pounding::report::{SpectraLabels, spectra_figure, spectra_table, spectral_columns};
 use pounding::scene::{SpectralValues, Spectrum, response_spectra};
-use pounding::text::{Answer, Cell, Form, Refused, Table, Unit, Where, percent, short};
+use pounding::text::{Answer, Form, Refused, Table, Where, percent, short};
 use serde_json::json;
 
 use super::source::{Declared, Opened};
@@ -191,7 +191,7 @@ fn answer<'a>(args: &Arguments, opened: &Opened, spectra: &'a [Spectrum]) -> Ans
         short(time)
     );
     let file = args.file.display().to_string();
-    let numbers = |spectrum: &'a Spectrum| values(Table::of(&spectrum.values).gravity(gravity), |values| values);
+    let numbers = |spectrum: &'a Spectrum| spectral_columns(Table::of(&spectrum.values).gravity(gravity), |values| values);
     let answer = Answer::new().say(Where::Terminal, "Record", vec![file.clone(), record]);
     let answer = spectra.iter().fold(answer, |answer, spectrum| {
         let damping = vec![percent(spectrum.damping_ratio)];
@@ -208,30 +208,8 @@ fn answer<'a>(args: &Arguments, opened: &Opened, spectra: &'a [Spectrum]) -> Ans
         .fact("component", component(args, opened))
         .fact("gravity_m_per_s2", gravity)
         .fact("spectra", spectra.iter().map(json).collect::<Vec<_>>())
-        .with_csv(move || {
-            let rows = spectra
-                .iter()
-                .flat_map(|spectrum| spectrum.values.iter().map(move |values| (spectrum.damping_ratio, values)));
-            let table = Table::of(rows).column("damping_ratio", |(damping, _)| Cell::exact(*damping));
-            values(table, |(_, values)| values).csv()
-        })
+        .with_csv(move || spectra_table(spectra).csv())
 }
 
 const NOTES: &str = "Sd: largest displacement relative to the ground; pseudo-Sv = (2π/T) Sd; pseudo-Sa = (2π/T)² Sd, times the mass \
                      the largest restoring force; Sa: largest absolute acceleration.";
-
-/// Adds the values of a structure.
-fn values<'a, Of: 'a>(table: Table<'a, Of>, values: fn(&Of) -> &SpectralValues) -> Table<'a, Of> {
-    table
-        .number("period_s", "Period", &Unit::PERIOD, move |row| values(row).period)
-        .number("sd_m", "Sd", &Unit::METRE, move |row| values(row).displacement)
-        .number("pseudo_sv_m_per_s", "pseudo-Sv", &Unit::SPEED, move |row| {
-            values(row).pseudo_velocity
-        })
-        .number("pseudo_sa_m_per_s2", "pseudo-Sa", &Unit::ACCELERATION, move |row| {
-            values(row).pseudo_acceleration
-        })
-        .number("sa_m_per_s2", "Sa", &Unit::ACCELERATION, move |row| {
-            values(row).absolute_acceleration
-        })
-}

@@ -129,7 +129,7 @@ fn lines(runs: &Runs<'_>) -> Grid {
         .shown("Record", |row| Shown::from(row.name.as_str()))
         .shown_in("g", "PGA", move |row| row.cell(|run| short(run.pga / gravity)))
         .shown("Scale", |row| row.cell(|run| short(run.scale)))
-        .shown("Times", |row| row.cell(|run| run.all.collisions))
+        .shown("Collisions", |row| row.cell(|run| run.all.collisions))
         .shown_in("s", "First", |row| row.cell(|run| run.all.first.map(|first| instant(first.start))))
         .shown_in("kN·s", "Impulse", |row| {
             row.cell(|run| run.all.largest.map(|largest| short(1e-3 * largest.impulse)))
@@ -170,7 +170,6 @@ fn result(runs: &Runs<'_>) -> Vec<String> {
     });
     let hardest = hits.iter().max_by(|one, other| one.2.1.total_cmp(&other.2.1));
     let hardest = hardest.map(|(line, run, (pair, impulse))| {
-        let reversed = if line.reversed { ", reversed" } else { "" };
         let several = run.pairs.len() > 1;
         let between = if several {
             format!(", at {}", between(pair))
@@ -178,8 +177,8 @@ fn result(runs: &Runs<'_>) -> Vec<String> {
             String::new()
         };
         format!(
-            "the hardest collision is that under {}{reversed}: {} kN·s{between}",
-            line.motion,
+            "the hardest collision is that under {}: {} kN·s{between}",
+            line.name(),
             short(impulse / 1e3)
         )
     });

@@ -2,7 +2,8 @@
 
 use pounding::assess::{LeftOutReason, Suite};
 use pounding::motion::{Interval, Reading};
-use pounding::text::{Answer, Cell, Manner, NONE, Table, Unit, Where, cut, digits, percent, short};
+use pounding::report::MeasuredRecord;
+use pounding::text::{Answer, Cell, Manner, NONE, Table, Where, cut, digits, percent, short};
 use serde_json::{Value, json};
 
 use super::{ListedMotion, MeasuredMotion};
@@ -177,49 +178,12 @@ fn listed<'a>(table: Table<'a, &'a ListedMotion>, gravity: f64, of_one_file: boo
             move |motion| file(motion).map(|file| file.unit().symbol()),
         )
         .column("gravity_m_per_s2", move |motion| Cell::exact(read(motion).map(|_| gravity)));
-    numbers(table, gravity, move |motion| read(motion))
+    MeasuredRecord::columns(table, gravity, move |motion| read(motion).map(MeasuredMotion::measured))
         .column("left_out", move |motion| {
             placed(motion)?.as_ref().err().map(LeftOutReason::sentence)
         })
         .column("refused", |motion| motion.found.as_ref().err().map(ToString::to_string))
 }
-
-/// Adds the numbers of a motion \[SI\]; they are empty for a motion that is not read.
-fn numbers<'a, Of: 'a>(table: Table<'a, Of>, gravity: f64, found: impl Fn(&Of) -> Option<&'a MeasuredMotion> + Copy + 'a) -> Table<'a, Of> {
-    let of = move |number: fn(&MeasuredMotion) -> Option<f64>| move |row: &Of| found(row).and_then(number);
-    let exact = move |number: fn(&MeasuredMotion) -> Option<f64>| move |row: &Of| Cell::exact(found(row).and_then(number));
-    let time = move |row: &Of| found(row).map(|found| digits(found.opened.record.peak().0));
-    table
-        .gravity(gravity)
-        .both(
-            "n_samples",
-            "Samples",
-            move |row| found(row).map(|one| one.opened.record.samples().len()),
-            move |row| found(row).map(|one| one.opened.record.samples().len()),
-        )
-        .number("time_step_s", "Step", &STEP, of(|one| Some(one.opened.record.time_step())))
-        .column("duration_s", exact(|one| Some(one.opened.record.duration())))
-        .number("pga_m_per_s2", "PGA", &Unit::ACCELERATION, of(|one| Some(one.measures.pga)))
-        .column("peak_m_per_s2", exact(|one| Some(one.opened.record.peak().1)))
-        .both("pga_time_s", ("at", "s"), exact(|one| Some(one.opened.record.peak().0)), time)
-        .number("pgv_m_per_s", "PGV", &Unit::SPEED, of(|one| Some(one.measures.pgv)))
-        .column("pgd_m", exact(|one| Some(one.measures.pgd)))
-        .column("arias_m_per_s", exact(|one| Some(one.measures.arias)))
-        .column("cav_m_per_s", exact(|one| Some(one.measures.cav)))
-        .column("d5_75_start_s", exact(|one| one.measures.d5_75.map(|interval| interval.start)))
-        .column("d5_75_s", exact(|one| one.measures.d5_75.map(|interval| interval.duration())))
-        .column("d5_95_start_s", exact(|one| one.measures.d5_95.map(|interval| interval.start)))
-        .number(
-            "d5_95_s",
-            "D5–95",
-            &Unit::PERIOD,
-            of(|one| one.measures.d5_95.map(|interval| interval.duration())),
-        )
-        .column("drift_m_per_s", exact(|one| one.drift.map(|drift| drift.velocity)))
-}
-
-/// A time with all its digits.
-const STEP: Unit = Unit::SECOND.read(digits);
 
 /// A motion for programs, with its readings.
 fn json_of(motion: &ListedMotion) -> Value {
@@ -233,19 +197,11 @@ fn json_of(motion: &ListedMotion) -> Value {
 }
 
 fn of_found(found: &MeasuredMotion) -> Value {
-    let file = found.opened.file();
-    let reading = |one: &Reading| json!({"what": one.what, "line": one.line, "found": one.found});
-    let mut all = numbers(Table::of([found]), 1.0, |found| Some(*found)).json()[0].take();
+    let mut all = found.measured().json(Some(&found.opened.origin));
     all["direction"] = json!(direction(found));
     match &found.placed {
         Ok((_, event)) => all["event"] = json!(event + 1),
         Err(reason) => all["left_out"] = json!(reason.sentence()),
     }
-    all["unusual"] = file.unusual().iter().map(ToString::to_string).collect();
-    all["format"] = json!(file.format().name());
-    all["unit"] = json!(file.unit().name());
-    all["readings"] = file.readings().iter().map(reading).collect();
-    all["says"] = json!(file.provenance());
-    all["sha256"] = json!(found.opened.origin.sha256);
     all
 }
