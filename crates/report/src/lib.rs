@@ -46,6 +46,7 @@ mod impacts;
 mod names;
 mod opensees;
 mod page;
+mod rules;
 mod sampling;
 mod shown;
 mod site;

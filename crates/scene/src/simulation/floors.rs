@@ -9,7 +9,7 @@ use pounding_text::Refused;
 use levels::elevations;
 pub use unwatched::UnwatchedFloor;
 
-use crate::{Columns, Property, Scene, Sdof, Structure};
+use crate::{Columns, Error, Property, Scene, Sdof, Structure};
 
 /// Largest difference between heights of floors that count as equal \[m\].
 pub(crate) const EQUAL_HEIGHTS: f64 = 1e-3;
@@ -148,6 +148,15 @@ impl Floors {
             told_level: scene.floors.is_some(),
             properties: scene.contacts.iter().flatten().map(|one| one.property).collect(),
         })
+    }
+
+    /// Checks that a row can be modelled, whatever shakes it.
+    ///
+    /// # Errors
+    /// Refuses its first field that cannot be used, and what [`Self::of`] refuses.
+    pub fn check(scene: &Scene) -> Result<(), Error> {
+        let floors = scene.check().and_then(|()| Self::of(scene));
+        floors.map(|_| ()).map_err(|refused| Error::in_scene(&scene.name, refused))
     }
 
     /// Takes other numbers for a row of structures of one storey and walls.
