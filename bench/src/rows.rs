@@ -7,8 +7,8 @@ use pounding_contact::{ContactLaw, NonlinearViscoelastic};
 use pounding_plot::{Axis, Curve, CurveKind, Figure, Mark, Panel, PlotError, Shade, render_png};
 use pounding_scene::file::RunBudget;
 use pounding_scene::{
-    Building, Columns, ComparedMethod, Contact, Damping, Error, FileUse, Method, RecordUse, STANDARD_GRAVITY, Scene, Simulation, Source,
-    Storey, Structure,
+    Building, Columns, ComparedMethod, Contact, Damping, Error, FileUse, FloorHeights, Method, Property, RecordUse, STANDARD_GRAVITY, Scene,
+    Simulation, Source, Storey, Structure,
 };
 use std::f64::consts::PI;
 use std::path::Path;
@@ -142,7 +142,15 @@ pub(crate) fn timed_row(
         impact_stiffness: 2.75e9,
         impact_damping_ratio: 0.35,
     });
-    let contacts = gap.map(|gap_m| vec![Contact { gap_m, law, levels: None }; structures.len() - 1]);
+    let contacts = gap.map(|gap_m| {
+        let contact = Contact {
+            gap_m,
+            law,
+            levels: None,
+            property: Property::default(),
+        };
+        vec![contact; structures.len() - 1]
+    });
     let record = FileUse {
         file: record.to_string_lossy().into_owned(),
         ..FileUse::default()
@@ -155,8 +163,10 @@ pub(crate) fn timed_row(
         contacts,
         neighbour: None,
         arrivals_s: None,
+        floors: Some(FloorHeights::Level),
         method,
         budget: RunBudget::default(),
+        seeks_gaps: false,
     };
     Simulation::new(&scene, Path::new(""))
 }

@@ -32,10 +32,8 @@ impl Alone {
             ..Extras::default()
         })?;
         let separations = |reversed: bool| {
-            Separation::all(&apart, &run, |left| {
-                let closings = run.closings.as_ref()?;
-                if reversed { closings.of_reversed(left) } else { closings.of(left) }
-            })
+            let closings = run.closings.as_ref();
+            closings.map_or_else(Vec::new, |closings| Separation::all(&apart, &run, closings, reversed))
         };
         Ok(Self {
             floors: FloorPeaks::all(&apart, &run),

@@ -7,7 +7,8 @@ use pounding_scene::{Error, Floors, Scene};
 use crate::distribution::Distribution;
 use crate::peaks::FloorPeaks;
 use crate::run::{AssessedFloor, AssessedPair, AssessedRun};
-use crate::separation::{Rule, Separation};
+use crate::rule::Rule;
+use crate::separation::Separation;
 
 /// Rounding error of a sum of displacements \[m\]. It must not make a proposed gap one step wider.
 const ROUNDING: f64 = 1e-9;
@@ -45,8 +46,7 @@ pub struct GapAssessment {
     pub touching_runs: usize,
     /// Width that keeps the neighbours apart, one value for each case \[m\].
     pub required: Distribution,
-    /// Width that in every run also keeps floors from the columns of the neighbour \[m\], by the sum of both peaks. `None` if no floor
-    /// faces a column, or if this width is not larger.
+    /// Width below which floors hit columns of the neighbour in some run \[m\]; `None` if no floor faces a column.
     pub beside_columns: Option<f64>,
     /// Widths by the rules of codes and literature.
     pub rules: Vec<RuleAssessment>,
@@ -57,8 +57,7 @@ pub struct GapAssessment {
 pub struct RequiredGap {
     /// Width that keeps the neighbours apart, one value for each case \[m\].
     pub required: Distribution,
-    /// Width that in every run also keeps floors from the columns of the neighbour \[m\], by the sum of both peaks. `None` if no floor
-    /// faces a column, or if this width is not larger.
+    /// Width below which floors hit columns of the neighbour in some run \[m\]; `None` if no floor faces a column.
     pub beside_columns: Option<f64>,
     /// Widths by the rules of codes and literature.
     pub rules: Vec<RuleAssessment>,
@@ -73,7 +72,7 @@ impl RequiredGap {
         let beside = beside.reduce(f64::max);
         let rules = Rule::ALL.iter();
         Some(Self {
-            beside_columns: beside.filter(|width| *width > required.largest()),
+            beside_columns: beside,
             required,
             rules: rules.filter_map(|rule| ruled(*rule, all)).collect(),
         })
@@ -102,6 +101,26 @@ pub struct RuleAssessment {
     pub too_narrow: usize,
     /// Least ratio of the rule's width to the required width \[–\]; 1 if the rule is never too narrow.
     pub least_share: f64,
+    /// Whether all floors are level, for which some codes accept that slabs meet.
+    pub level: bool,
+}
+
+impl RuleAssessment {
+    /// Width that the code asks for under all events \[m\], and whether it is their mean: the code takes the mean of enough events, and the
+    /// largest of fewer.
+    pub fn asked(&self) -> (f64, bool) {
+        let n = self.width.sorted().len();
+        match self.rule.words().mean_from {
+            Some(least) if n >= least => (self.width.mean(), true),
+            _ => (self.width.largest(), false),
+        }
+    }
+
+    /// Factor by which the code narrows the gap of level floors; `None` if it does not.
+    pub fn narrowed(&self) -> Option<f64> {
+        let factor = self.rule.words().when_level;
+        (self.level && factor < 1.0).then_some(factor)
+    }
 }
 
 /// Effect of touching on a floor and the storey below it: responses beside the neighbours over responses alone \[–\]. It covers every case
@@ -213,7 +232,12 @@ impl<'r> AssessedRow<'r> {
         let own = self.scene.contacts.as_ref().and_then(|all| all.get(left));
         let facing = self.floors.facing();
         let pairs: Vec<usize> = (0..facing.len()).filter(|pair| facing[*pair].contact == left).collect();
-        let touches = |run: &AssessedRun| pairs.iter().any(|pair| run.pairs[*pair].collisions > 0);
+        let is_unmodelled = self.floors.is_unmodelled(left);
+        // Where floors face columns, the buildings alone tell whether they would touch.
+        let touches = |run: &AssessedRun| match own {
+            Some(own) if is_unmodelled => run.separations[index].asks_for_more(own.gap_m),
+            _ => pairs.iter().any(|pair| run.pairs[*pair].collisions > 0),
+        };
         let touching = self.runs.iter().filter(|one| touches(one.run));
         let RequiredGap {
             required,
@@ -277,9 +301,9 @@ impl GapAssessment {
     /// Gaps are built in multiples of this width \[m\].
     pub const BUILT_IN_STEPS_OF: f64 = 0.01;
 
-    /// Least gap that is known to keep the neighbours apart in every run \[m\], floors and columns included.
+    /// Least gap that keeps the neighbours apart in every run \[m\], floors and columns included.
     pub fn largest(&self) -> f64 {
-        self.beside_columns.unwrap_or(self.required.largest())
+        self.required.largest()
     }
 
     /// Least known gap, rounded up to a multiple of [`Self::BUILT_IN_STEPS_OF`] \[m\].
@@ -322,6 +346,7 @@ fn ruled(rule: Rule, all: &[([usize; 2], &Separation)]) -> Option<RuleAssessment
         width: largest_of_cases(of_cases)?,
         too_narrow: narrow.len(),
         least_share,
+        level: all.iter().any(|(_, one)| one.level),
     })
 }
 

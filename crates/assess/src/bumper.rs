@@ -99,6 +99,7 @@ impl Bumper {
             gap_m: contact.gap_m - self.thickness,
             law: self.law(contact),
             levels: contact.levels.clone(),
+            property: contact.property,
         }
     }
 }

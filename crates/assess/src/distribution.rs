@@ -37,6 +37,11 @@ impl Distribution {
         self.quantile(0.84)
     }
 
+    /// Arithmetic mean.
+    pub fn mean(&self) -> f64 {
+        self.0.iter().sum::<f64>() / self.0.len() as f64
+    }
+
     /// The largest number.
     pub fn largest(&self) -> f64 {
         self.0[self.0.len() - 1]

@@ -8,6 +8,7 @@ use pounding_scene::{Error, RecordUse, STANDARD_GRAVITY, Scene, Structure, perio
 use pounding_text::{digits, percent, short};
 
 use crate::design::DesignSpectrum;
+use crate::rule::Rule;
 use crate::suite::SuiteMotion;
 
 /// Target to which records are scaled.
@@ -84,6 +85,15 @@ impl fmt::Display for Scaling {
 }
 
 impl Scaling {
+    /// The rule for gaps of the code whose spectrum is the target.
+    pub fn code(&self) -> Option<Rule> {
+        match self {
+            Self::Target(DesignSpectrum::Eurocode8 { .. }) => Some(Rule::Eurocode8),
+            Self::Target(DesignSpectrum::Asce7 { .. }) => Some(Rule::Asce7),
+            Self::Target(DesignSpectrum::Table(_)) | Self::AsScene | Self::Unscaled | Self::To(_) => None,
+        }
+    }
+
     /// Returns the scene with this scaling of its record.
     fn scene(&self, scene: &Scene) -> Scene {
         let mut scaled = scene.clone();

@@ -52,6 +52,8 @@ pub(crate) fn check_scene(py: Python<'_>, text: &str, path: PathBuf) -> PyResult
         let exact = Scene {
             method: Method::EXACT,
             duration_s: None,
+            // A row whose floors face columns can be asked for its gaps.
+            seeks_gaps: scene.contacts.is_some(),
             ..scene.clone()
         };
         Simulation::shaken(&exact, at_rest()).map_err(|error| given.in_file(error))?;
@@ -75,6 +77,8 @@ fn at_rest() -> SharedMotion {
 #[pyfunction]
 pub(crate) fn sketch_scene(py: Python<'_>, text: &str, path: PathBuf) -> PyResult<String> {
     let scene = Given::of(text, path, None).scene().or_refused(py)?;
+    let seeks_gaps = scene.contacts.is_some();
+    let scene = Scene { seeks_gaps, ..scene };
     let floors = Floors::of(&scene).map_err(|refused| Error::in_scene(&scene.name, refused));
     let sketch = Sketch {
         scene: &scene,

@@ -2,10 +2,10 @@
 
 use std::path::{Path, PathBuf};
 
-use pounding_assess::{AssessedRun, DesignSpectrum, MotionLines, Scaling, Suite, Watched};
+use pounding_assess::{AssessedRun, DesignSpectrum, MotionLines, Rule, Scaling, Suite, Watched};
 use pounding_report::{AssessmentReport, GapsUnderMotion, OfFolder, ScalingAsked, gaps_table};
 use pounding_scene::file::ScaleTo;
-use pounding_scene::{Error, Method, Scene};
+use pounding_scene::{Error, Floors, Method, Scene};
 use pounding_text::{Form, Refused};
 use pyo3::prelude::*;
 
@@ -26,7 +26,7 @@ const BOTH: [bool; 2] = [false, true];
 /// Assesses a row under a folder of records, in both directions, by the exact method. `scale` is `scene`, `none` or a `scale_to` table as
 /// JSON. `target` is the name or the file of a spectrum.
 #[pyfunction]
-#[pyo3(signature = (text, path, folder, scale, target=None, stiffness=[0.1, 10.0], progress=None))]
+#[pyo3(signature = (text, path, folder, scale, target=None, stiffness=[0.1, 10.0], code=None, progress=None))]
 pub(crate) fn assess(
     py: Python<'_>,
     text: &str,
@@ -35,6 +35,7 @@ pub(crate) fn assess(
     scale: &str,
     target: Option<&str>,
     stiffness: [f64; 2],
+    code: Option<&str>,
     progress: Option<&Bound<'_, PyAny>>,
 ) -> PyResult<Assessment> {
     let [from, to] = stiffness;
@@ -43,12 +44,15 @@ pub(crate) fn assess(
         return Err(found.allowed_are("two factors with 1 between them")).or_refused(py);
     }
     let scaling = scaling(scale, target).or_refused(py)?;
+    let known = |word| Rule::of_code(word).map_err(|said| Refused::at("code").found(format!("`{word}`, {said}")));
+    let code = code.map(known).transpose().or_refused(py)?;
     let given = Given::of(text, path, None);
     let found = wait(py, progress, |watch| -> Result<Assessment, Refused> {
         let scene = Scene {
             method: Method::EXACT,
-            ..given.scene()?
+            ..given.scene()?.seeking_gaps()
         };
+        Floors::check(&scene).map_err(|error| given.in_file(error))?;
         let suite = suite_of(&folder, &scene)?;
         let lines = MotionLines::of(
             &suite,
@@ -59,6 +63,7 @@ pub(crate) fn assess(
         )?;
         let report = AssessmentReport::of_lines(scene, &suite, &lines.lines)?;
         let report = report.ok_or("stopped")?.with_stiffness(stiffness);
+        let report = report.with_code(code.or_else(|| scaling.code()));
         let report = report.with_scaling(ScalingAsked {
             to: scaling.clone(),
             words: None,
@@ -154,6 +159,7 @@ pub(crate) fn required_gap(
     let found = wait(py, progress, |watch| -> Result<_, Refused> {
         let scene = given.scene()?;
         let apart = scene.apart();
+        Floors::check(&apart).map_err(|error| given.in_file(error))?;
         let suite = suite_of(&folder, &scene)?;
         let lines = MotionLines::of(
             &suite,

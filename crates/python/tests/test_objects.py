@@ -253,11 +253,20 @@ def test_issue_an_assessment_says_what_the_program_does(towers, pulse) -> None:
     assert len(found.sentences) > 1 and all(line in repr(found) for line in said)
 
 
-def test_issue_a_required_gap_says_that_no_floors_face_each_other(pulse) -> None:
+def test_issue_a_gap_between_floors_and_columns_is_computed(pulse) -> None:
+    # "The width that they need is not known", although it needs no contact model.
     low = pounding.building([{"mass": 1e5, "stiffness": 2e8, "height": 3.0}], name="low")
     other = pounding.building([{"mass": 1e5, "stiffness": 1e8, "height": 4.5}], name="other")
-    with pytest.warns(pounding.PoundingWarning, match="No floors of low and other face each other"):
-        pounding.row(low, other, gap=0.03).required_gap([pulse])
+    row = pounding.row(low, other, gap=0.03)
+    with pytest.warns(pounding.PoundingWarning, match="a floor that hits a column can bring a building down"):
+        found = row.required_gap([pulse])
+    assert (found["required_m"] > 0).all() and found["at_column"].all()
+    # The column is straight between the ground and its floor at 4.5 m.
+    assert (found["required_m"] <= found["abs_m"] * (1 + 1e-9)).all()
+    for rule in ["ntc_2018_m", "is_1893_m", "tbdy_2018_m", "e_030_2018_m", "gb_50011_m"]:
+        assert found[rule].notna().all()
+    with pytest.raises(pounding.Refused, match="beside the columns"):
+        row.run(pulse)
 
 
 def test_issue_tables_name_building_and_level(towers, pulse) -> None:

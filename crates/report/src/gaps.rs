@@ -6,6 +6,7 @@ use pounding_text::{Answer, Cell, Table, Where, digits, rounded_up, short};
 use serde_json::{Value, json};
 
 use crate::folder::{MotionRow, OfFolder, UnderMotion};
+use crate::rules::{RuledGap, notes};
 
 /// The widths that the gaps of a row need under one motion in one direction.
 #[derive(Debug)]
@@ -41,34 +42,73 @@ impl UnderMotion for GapsUnderMotion {
         &self.cautions
     }
 
-    fn warnings(scene: &Scene) -> Vec<String> {
-        Floors::of(scene).map_or_else(|_| Vec::new(), |floors| floors.says_no_level())
-    }
-
     fn facts(&self, scene: &Scene) -> Value {
-        json!({"gaps": numbers(scene, Table::of(&self.separations), |one| Some(*one)).json()})
+        json!({"gaps": numbers(scene, &Rule::COMMON, Table::of(&self.separations), |one| Some(*one)).json()})
     }
 }
 
-/// A table for each gap, and which rules are too narrow.
-pub fn gaps_answer<'a>(folder: &'a OfFolder<'_, GapsUnderMotion>) -> Answer<'a> {
+/// A table for each gap, and which rules are too narrow. `code` names the rule of a code whose width is told in a sentence.
+pub fn gaps_answer<'a>(folder: &'a OfFolder<'_, GapsUnderMotion>, code: Option<Rule>) -> Answer<'a> {
     let scene = folder.scene;
     let n_gaps = folder.found().next().map_or(0, |(_, found)| found.separations.len());
-    let answer = (0..n_gaps).fold(folder.answer(), |answer, gap| of_gap(folder, answer, gap));
+    let all: Vec<RequiredAt> = (0..n_gaps).filter_map(|gap| RequiredAt::of(folder, gap)).collect();
+    let ruled: Vec<RuledGap<'_>> = all.iter().map(RequiredAt::ruled).collect();
+    let others = code.filter(|code| !Rule::COMMON.contains(code));
+    let shown: Vec<Rule> = Rule::COMMON.into_iter().chain(others).collect();
+    let by_code = code.map(|code| ruled.iter().map(|gap| gap.by_code(scene, code)).collect::<Vec<_>>());
+    let answer = folder.answer();
+    let answer = answer
+        .say(Where::Terminal, "Code", by_code.clone().unwrap_or_default())
+        .fact("by_code", by_code.unwrap_or_default());
+    let answer = all.iter().fold(answer, |answer, gap| of_gap(folder, answer, gap, &shown));
     let levels = has_storeys(scene).then_some(LEVELS);
     let travels = scene.arrivals_s.is_some().then_some(TRAVELS);
-    let notes = [Some(NOTES), levels, travels].into_iter().flatten();
+    let said = [Some(NOTES), levels, travels].into_iter().flatten().map(String::from);
     answer
         .say(Where::FirstScreen, "Records", folder.records(false))
         .say(Where::Details, "Records", folder.records(true))
-        .say(Where::Terminal, "Notes", notes.map(String::from).collect())
+        .say(Where::Terminal, "Notes", said.chain(notes(scene, &ruled, &shown)).collect())
         .with_csv(|| gaps_table(folder).csv())
+}
+
+/// A gap and the width that it needs under all motions.
+struct RequiredAt {
+    /// Index of the gap among those of every motion.
+    index: usize,
+    left: usize,
+    own: Option<f64>,
+    all: RequiredGap,
+}
+
+impl RequiredAt {
+    fn of(folder: &OfFolder<'_, GapsUnderMotion>, index: usize) -> Option<Self> {
+        let found = folder.found().filter_map(|(line, found)| Some(([line.event, 0], found.separations.get(index)?)));
+        let found: Vec<_> = found.collect();
+        let left = found.first()?.1.left;
+        let contacts = folder.scene.contacts.as_ref();
+        Some(Self {
+            index,
+            left,
+            own: contacts.and_then(|contacts| contacts.get(left)).map(|own| own.gap_m),
+            all: RequiredGap::of(&found)?,
+        })
+    }
+
+    fn ruled(&self) -> RuledGap<'_> {
+        RuledGap {
+            left: self.left,
+            own: self.own,
+            needed: self.all.required.largest(),
+            rules: &self.all.rules,
+            sample: "event",
+        }
+    }
 }
 
 /// The table for programs: a row for each gap under each motion.
 pub fn gaps_table<'a>(folder: &OfFolder<'a, GapsUnderMotion>) -> Table<'a, MotionRow<Option<&'a Separation>>> {
     let rows = |line, found: &'a GapsUnderMotion| found.separations.iter().map(|one| MotionRow::of(line, Some(one))).collect();
-    folder.table(rows, |table| numbers(folder.scene, table, |row| row.found))
+    folder.table(rows, |table| numbers(folder.scene, &Rule::COMMON, table, |row| row.found))
 }
 
 const LEVELS: &str = "Level: that of the floors that need most and whose displacements the rules take, counted from 1 for the lowest; \
@@ -78,23 +118,23 @@ const TRAVELS: &str = "The ground travels along the row (`arrivals_s`): it is in
                        displacements relative to each structure's own ground alone.";
 
 const NOTES: &str = "Needs: the largest closing of the gap while every structure stands alone, by the exact method. Rules: from the \
-                     peak displacements of both structures under the same record; EC 8 is SRSS, 0.7 times that where \
-                     all floors of both are level by the heights given; ASCE 7 is SRSS of the displacements of the time history; DDC takes elastic \
-                     periods and damping. * marks what is too narrow.";
+                     peak displacements of both structures under the same record; DDC takes elastic periods and damping. * marks what is too narrow.";
 
 /// Adds the numbers of separations to a table: all of them for programs; the width that a gap needs and those of the common rules for
 /// people.
-fn numbers<'a, Of: 'a>(scene: &'a Scene, table: Table<'a, Of>, one: fn(&Of) -> Option<&Separation>) -> Table<'a, Of> {
+fn numbers<'a, Of: 'a>(scene: &'a Scene, shown: &[Rule], table: Table<'a, Of>, one: fn(&Of) -> Option<&Separation>) -> Table<'a, Of> {
     let name = move |row: &Of, side: usize| one(row).map(|one| scene.structures[one.left + side].name().to_owned());
     let level = move |row: &Of| one(row).map(|one| one.at_level);
+    let faced = move |row: &Of| one(row).map(|one| format!("{}{}", one.at_level, if one.at_column { " col." } else { "" }));
     let table = table
         .column("left", move |row| name(row, 0))
         .column("right", move |row| name(row, 1));
     let table = if has_storeys(scene) {
-        table.both("level", "Level", level, level)
+        table.both("level", "Level", level, faced)
     } else {
         table.column("level", level)
     };
+    let table = table.column("at_column", move |row| one(row).map(|one| one.at_column));
     let number = |number: fn(&Separation) -> f64| move |row: &Of| Cell::exact(one(row).map(number));
     let text = |text: fn(&Separation) -> String| move |row: &Of| one(row).map(text);
     let table = table
@@ -113,32 +153,35 @@ fn numbers<'a, Of: 'a>(scene: &'a Scene, table: Table<'a, Of>, one: fn(&Of) -> O
         )
         .column("peak_left_m", number(|one| one.peaks[0]))
         .column("peak_right_m", number(|one| one.peaks[1]));
-    Rule::COMMON.into_iter().fold(table, |table, rule| {
+    Rule::ALL.into_iter().fold(table, |table, rule| {
         let width = move |row: &Of| Cell::exact(one(row).and_then(|one| rule.width(one)));
         let marked = move |row: &Of| one(row).and_then(|one| Some(marked(rule.width(one)?, one)));
-        table.both(rule.key(), (rule.name(), "mm"), width, marked)
+        if shown.contains(&rule) {
+            table.both(rule.key(), (rule.name(), "mm"), width, marked)
+        } else {
+            table.column(rule.key(), width)
+        }
     })
 }
 
 /// Adds the table of one gap and its result.
-fn of_gap<'a>(folder: &OfFolder<'a, GapsUnderMotion>, answer: Answer<'a>, gap: usize) -> Answer<'a> {
+fn of_gap<'a>(folder: &OfFolder<'a, GapsUnderMotion>, answer: Answer<'a>, gap: &RequiredAt, shown: &[Rule]) -> Answer<'a> {
     let scene = folder.scene;
-    let found = folder.found().filter_map(|(line, found)| Some((line, found.separations.get(gap)?)));
+    let found = folder.found().filter_map(|(line, found)| Some((line, found.separations.get(gap.index)?)));
     let found: Vec<_> = found.collect();
-    let Some((_, first)) = found.first() else {
-        return answer;
-    };
-    let left = first.left;
-    let [one, other] = [left, left + 1].map(|index| scene.structures[index].name());
-    let own = scene.contacts.as_ref().and_then(|contacts| contacts.get(left)).map(|own| own.gap_m);
-    let in_scene = own.map_or_else(String::new, |own| format!(", {} mm in the scene", digits(own * 1e3)));
-    let all: Vec<_> = found.iter().map(|(line, one)| ([line.event, 0], *one)).collect();
-    let said = RequiredGap::of(&all).map_or_else(Vec::new, |all| result(&all, own));
+    let [one, other] = [gap.left, gap.left + 1].map(|index| scene.structures[index].name());
+    let in_scene = gap.own.map_or_else(String::new, |own| format!(", {} mm in the scene", digits(own * 1e3)));
     let table = Table::of(found).shown("Record", |(line, _)| line.name());
     answer
         .say(Where::Terminal, "Gap", vec![format!("{one} – {other}{in_scene}")])
-        .table(Where::Terminal, numbers(scene, table, |(_, one)| Some(*one)).grid())
-        .say(Where::Terminal, "Result", said)
+        .table(Where::Terminal, numbers(scene, shown, table, |(_, one)| Some(*one)).grid())
+        .say(Where::Terminal, "Result", result(&gap.all, gap.own, says_columns(scene, gap.left), shown))
+}
+
+/// The floors of a gap that face columns, in a sentence.
+fn says_columns(scene: &Scene, gap: usize) -> Option<String> {
+    let floors = Floors::of(&scene.clone().seeking_gaps()).ok()?;
+    floors.says_columns(gap)
 }
 
 /// Whether floors stand at several levels.
@@ -169,24 +212,20 @@ fn enough(width: f64) -> String {
 }
 
 /// The width that is enough for all events, and whether the rules and the gap of the scene give it.
-fn result(all: &RequiredGap, own: Option<f64>) -> Vec<String> {
+fn result(all: &RequiredGap, own: Option<f64>, columns: Option<String>, shown: &[Rule]) -> Vec<String> {
     let widths = &all.required;
     let n = match widths.sorted().len() {
         1 => "the only event".into(),
         n => format!("all {n} events"),
     };
-    let of = match all.beside_columns {
-        Some(_) => "floors that face floors in ",
-        None => "",
-    };
     let mut lines = vec![format!(
-        "{} mm are enough for {of}{n}; {} mm for half of them, {} mm for 84 %",
+        "{} mm are enough for {n}; {} mm for half of them, {} mm for 84 %",
         enough(widths.largest()),
         enough(widths.median()),
         enough(widths.p84())
     )];
-    let beside = all.beside_columns;
-    lines.extend(beside.map(|width| format!("floors beside columns may need {} mm, the sum of both peaks", enough(width))));
+    let width = all.beside_columns.map(enough);
+    lines.extend(columns.zip(width).map(|(columns, width)| format!("{columns} {width} mm keep floors from columns")));
     lines.extend(own.map(|own| {
         format!(
             "with the {} mm of the scene the structures touch under {} of them",
@@ -194,7 +233,7 @@ fn result(all: &RequiredGap, own: Option<f64>) -> Vec<String> {
             widths.count_above(own)
         )
     }));
-    let common = all.rules.iter().filter(|one| Rule::COMMON.contains(&one.rule));
+    let common = all.rules.iter().filter(|one| shown.contains(&one.rule));
     let rule = |one: &RuleAssessment| {
         let by = if one.too_narrow == 0 {
             String::new()

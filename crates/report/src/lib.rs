@@ -47,6 +47,7 @@ mod motion;
 mod names;
 mod opensees;
 mod page;
+mod rules;
 mod sampling;
 mod shown;
 mod site;

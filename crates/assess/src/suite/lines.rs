@@ -88,7 +88,7 @@ impl<T: Send> MotionLines<T> {
         let lines = until_stopped(&cases, watched.stop, line);
         match nothing_found(lines.iter().map(|line| &line.found)) {
             Some(first) => Err(format!(
-                "none of the {} motions shakes the row; the first, {}: {first}",
+                "there is a result under none of the {} motions; the first, {}: {first}",
                 suite.motions.len(),
                 suite.motions[0].name
             )),

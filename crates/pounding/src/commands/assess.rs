@@ -5,10 +5,10 @@ mod runs;
 
 use std::path::PathBuf;
 
-use pounding::assess::{DesignSpectrum, Scaling, Suite};
+use pounding::assess::{DesignSpectrum, Rule, Scaling, Suite};
 use pounding::report::{AssessmentReport, FolderOfMotions, ScalingAsked};
 use pounding::scene::file::ScaleTo;
-use pounding::scene::{Error, Method, Scene, Structure};
+use pounding::scene::{Error, Floors, Method, Scene, Structure};
 use pounding::text::{Form, Refused, Where, digits};
 
 use super::declared::Declared;
@@ -53,6 +53,10 @@ pub(crate) struct Arguments {
     /// in s and accelerations in g.
     #[arg(long, value_name = "SPECTRUM", conflicts_with = "scale")]
     target: Option<String>,
+    /// The code whose width is told in a sentence: en-1998-1, asce-7-16, ntc-2018,
+    /// tbdy-2018, e-030 or gb-50011; by default that of the target.
+    #[arg(long, value_name = "CODE", value_parser = Rule::of_code)]
+    code: Option<Rule>,
     /// Range of the stiffness of impacts, as factors on that of the scene.
     #[arg(long, value_name = "FROM..TO", default_value = "0.1..10", value_parser = factors)]
     stiffness: [f64; 2],
@@ -184,7 +188,7 @@ impl Arguments {
         let message = |error: Error| Refused::from(error.in_file(&self.scene));
         let scene = Scene {
             method: Method::EXACT,
-            ..scene
+            ..scene.seeking_gaps()
         };
         let rows = scene.beside_neighbours();
         let rows = rows.map_err(|source| message(Error::in_scene(&scene.name, source)))?;
@@ -199,6 +203,7 @@ impl Arguments {
             let why = "a gap lies between two; of a neighbour that is not known give neighbour.unknown";
             return Err(two.so(": ", why).in_file(&self.scene));
         }
+        Floors::check(&rows[0].0).map_err(message)?;
         Ok(Asked {
             known: Scene {
                 neighbour: None,
@@ -234,6 +239,7 @@ impl Arguments {
                 .asked_of(asked.scene.clone())
                 .with_folder(folder)
                 .with_stiffness(self.stiffness)
+                .with_code(self.code.or_else(|| asked.scaling.code()))
                 .with_scaling(scaling)
                 .with_animation(animation)
                 .with_bumpers(&bumpers, self.bumper.words())

@@ -2,8 +2,9 @@
 
 use std::path::PathBuf;
 
+use pounding::assess::Rule;
 use pounding::report::{GapsUnderMotion, OfFolder, gaps_answer};
-use pounding::scene::{Error, Scene};
+use pounding::scene::{Error, Floors, Scene};
 use pounding::text::{Form, Refused};
 
 use super::declared::Declared;
@@ -17,8 +18,8 @@ Examples:
 The gaps and contact laws of the scene do not matter: the width is the largest
 closing of the gap while every structure stands alone, by the exact method, at
 the level that needs most of all at which floors face each other. Levels that
-`levels` of a contact leaves out count, except beside walls. Floors beside
-columns get a line in Result: the sum of both peaks.
+`levels` of a contact leaves out count, except beside walls. So do floors that
+face columns, which are straight between the floors at their ends.
 
 Components of one record are one event, and count with the larger width.
 Verticals, velocities, copies, and records in boreholes or on structures are
@@ -35,6 +36,10 @@ pub(crate) struct Arguments {
     /// A folder of records.
     #[arg(long, value_name = "FOLDER")]
     records: PathBuf,
+    /// The code whose width is told in a sentence: en-1998-1, asce-7-16, ntc-2018,
+    /// tbdy-2018, e-030 or gb-50011.
+    #[arg(long, value_name = "CODE", value_parser = Rule::of_code)]
+    code: Option<Rule>,
     /// Name every record that is left out.
     #[arg(long)]
     details: bool,
@@ -59,6 +64,7 @@ pub(crate) fn run(args: &Arguments) -> Result<String, Refused> {
         return Err(found.in_file(path));
     }
     let apart = scene.apart();
+    Floors::check(&apart).map_err(message)?;
     let records = suite::read(&args.records, &args.declared, &scene)?;
     let ran = suite::lines(&apart, &records, &[false, true], GapsUnderMotion::of)?;
     let folder = OfFolder {
@@ -66,5 +72,5 @@ pub(crate) fn run(args: &Arguments) -> Result<String, Refused> {
         suite: &records,
         lines: &ran.lines,
     };
-    ran.answer(gaps_answer(&folder).text(Form::asked(args.details, args.csv, args.json)))
+    ran.answer(gaps_answer(&folder, args.code).text(Form::asked(args.details, args.csv, args.json)))
 }

@@ -47,6 +47,8 @@ def row(
     restitution: float | None = None,
     law: Law | Sequence[Law] | None = None,
     levels: Sequence[int] | None = None,
+    floors: str | None = None,
+    property: str | Sequence[str] | None = None,
     arrivals: Sequence[float] | None = None,
     method: str | Mapping[str, Any] | None = None,
     duration: float | None = None,
@@ -68,6 +70,12 @@ def row(
         ``stereomechanical``: impulses that need only a restitution. :func:`laws` lists all.
     levels
         Levels at which floors can touch, from 1; by default all floors that face each other.
+    floors
+        ``"level"`` if storeys of one number are at one height. Needed where a building of several storeys faces another structure and
+        heights are not given.
+    property
+        ``"same"`` or ``"other"``, the default: owners of the ground on both sides of a gap, for rules of codes; one for all, or one for
+        each gap.
     arrivals
         Time at which the ground motion arrives at each structure [s].
     method
@@ -104,7 +112,11 @@ def row(
         contacts = [{"gap_m": gap, "law": law} for gap, law in zip(gaps, laws)]
         if levels is not None:
             contacts = [{**contact, "levels": list(levels)} for contact in contacts]
+        if property is not None:
+            contacts = [{**contact, "property": own} for contact, own in zip(contacts, for_each(property, n, "property"))]
         given["contacts"] = contacts
+    if floors is not None:
+        given["floors"] = floors
     if arrivals is not None:
         given["arrivals_s"] = list(arrivals)
     if method is not None:
@@ -272,6 +284,7 @@ class Scene:
         scale: str | Mapping[str, Any] = "scene",
         target: str | os.PathLike[str] | None = None,
         stiffness: tuple[float, float] = (0.1, 10.0),
+        code: str | None = None,
         progress: Progress | bool = False,
     ) -> Assessment:
         """Tests whether the gaps are enough under many records, and the effects of touching: both directions, exact method.
@@ -290,6 +303,9 @@ class Scene:
             accelerations [g].
         stiffness
             Range of the impact stiffness, as factors on that of the scene [–].
+        code
+            Code whose gap is told in a sentence: ``"en-1998-1"``, ``"asce-7-16"``, ``"ntc-2018"``, ``"tbdy-2018"``, ``"e-030"`` or
+            ``"gb-50011"``; by default that of the target.
         progress
             Called with the number of finished runs and the number of all runs; ``True`` shows a line.
         """
@@ -299,7 +315,7 @@ class Scene:
         spectrum = None if target is None else os.fspath(target)
         with folder_of(records) as folder:
             native = _pounding.assess(
-                self._text, Path(self._path), folder, scale, spectrum, list(stiffness), shown(progress)
+                self._text, Path(self._path), folder, scale, spectrum, list(stiffness), code, shown(progress)
             )
         found = Assessment(native)
         for one in [*found.unusual, *found.warnings, *found.remarks]:
@@ -315,7 +331,8 @@ class Scene:
         """Gaps that never close, under every record in both directions, by the exact method.
 
         The gaps and laws of the scene are ignored. The table has one row per motion, direction and gap: its event, the required
-        width [m], the time of the largest closing [s], the peaks of both neighbours alone [m], and the widths by design rules [m].
+        width [m], the time of the largest closing [s], the peaks of both neighbours alone [m], and the widths by all design rules [m];
+        a rule of heights is empty unless the scene gives them.
         Implausible values and records that are left out become Python warnings.
 
         Parameters

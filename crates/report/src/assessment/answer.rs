@@ -1,6 +1,6 @@
 //! The answer of an assessment, once, for the terminal, the page and programs.
 
-use pounding_assess::TargetFit;
+use pounding_assess::{Rule, TargetFit};
 use pounding_text::{Answer, Manner, Where};
 use serde_json::{Value, json};
 
@@ -8,6 +8,7 @@ use super::AssessmentReport;
 use super::tables::{first, statistics};
 use crate::SCHEMA_VERSION;
 use crate::page::{BEFORE, UNUSUAL, sentence};
+use crate::rules::notes;
 
 impl AssessmentReport {
     /// The answer: the gaps, the effects of touching, and how sure these are. Its CSV has a line for each number \[SI\]: record, reversed, building,
@@ -87,6 +88,7 @@ impl AssessmentReport {
             .heading("Rules of codes")
             .say(Where::Page, "", vec![RULES.into()])
             .table(Where::Everywhere, first(&self.rules()))
+            .say_as(Where::Everywhere, Manner::Soft, "Rules", notes(&self.scene, &self.ruled_gaps(), &Rule::ALL))
             .heading("Motions")
             .table(Where::Details, self.runs().grid())
             .say_as(Where::Everywhere, Manner::List, "Records", self.remarks().to_vec())
@@ -114,6 +116,7 @@ impl AssessmentReport {
             .fact("cautions", self.before())
             .fact("answers", self.answers())
             .fact("proposals", self.proposals())
+            .fact("code", json!(self.code.map(Rule::cited)))
             .fact("neighbour", self.prior_json())
             .fact("bumper", self.bumper_json())
             .fact("warnings", self.warnings())

@@ -91,8 +91,9 @@ impl AssessmentReport {
             return None;
         };
         Some(format!(
-            "the mean spectrum of the scaled records has {:.0} % of the target {what}; EN 1998-1, 3.2.3.1.2 (4) c, and ASCE 7-16, \
-             16.2.3.2, want {:.0} % between 0.2 and 2 T_1: take other records, or scale to {} times the target",
+            "the mean spectrum of the scaled records, component by component, has {:.0} % of the target {what}; EN 1998-1:2004, \
+             3.2.3.1.2 (4) c, wants {:.0} % between 0.2 and 2 T_1: take other records, or scale to {} times the target. ASCE/SEI 7-16, \
+             16.2.3.2, compares maximum-direction spectra with MCE_R, which is not done here",
             (100.0 * share).floor(),
             100.0 * TargetFit::LEAST_SHARE,
             two_decimals((100.0 * TargetFit::LEAST_SHARE / share).ceil() / 100.0)

@@ -15,7 +15,7 @@ mod words;
 use std::collections::BTreeMap;
 
 use pounding_assess::{
-    AssessedRun, Assessment, Bumper, BumperEffect, BumperRun, DesignSpectrum, MotionSpectrum, RunOfCase, Scaling, TargetFit,
+    AssessedRun, Assessment, Bumper, BumperEffect, BumperRun, DesignSpectrum, MotionSpectrum, Rule, RunOfCase, Scaling, TargetFit,
 };
 use pounding_scene::file::DrawnNeighbour;
 use pounding_scene::{Error, Floors, Scene};
@@ -82,6 +82,7 @@ pub struct AssessmentReport {
     animation: Option<Animation>,
     bumper: Option<BumperEffect>,
     bumper_words: Option<String>,
+    code: Option<Rule>,
     author: Option<String>,
     date: Option<String>,
 }
@@ -135,6 +136,7 @@ impl AssessmentReport {
             animation: None,
             bumper: None,
             bumper_words: None,
+            code: None,
             author: None,
             date: None,
         }))
@@ -160,6 +162,12 @@ impl AssessmentReport {
             bumper_words: words,
             ..self
         }
+    }
+
+    /// With the code whose width is told in a sentence.
+    #[must_use]
+    pub fn with_code(self, code: Option<Rule>) -> Self {
+        Self { code, ..self }
     }
 
     /// With the hardest collision in motion.

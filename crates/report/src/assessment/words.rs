@@ -4,6 +4,7 @@ use pounding_assess::{Distribution, FloorAssessment, GapAssessment, PairAssessme
 use pounding_text::{digits, millimetres, millimetres_up, percent, two_decimals, two_digits};
 
 use super::AssessmentReport;
+use crate::rules::RuledGap;
 
 impl AssessmentReport {
     /// Name of a floor: that of its building, and its number; of a structure of one storey and a wall its own.
@@ -105,17 +106,38 @@ impl AssessmentReport {
         let mut gaps: Vec<&GapAssessment> = self.assessment.gaps.iter().collect();
         gaps.sort_by_key(|gap| std::cmp::Reverse(gap.touching));
         let answers = gaps.into_iter().map(|gap| self.answer_of(gap));
-        let answers = answers.chain(self.floors.says_no_level());
-        answers.chain(self.prior()).collect()
+        answers.chain(self.prior()).chain(self.by_code()).collect()
     }
 
-    /// Whether a gap is enough for floors that face floors, and the width that floors beside columns may need.
+    /// The widths that the named code asks for.
+    fn by_code(&self) -> Vec<String> {
+        let gaps = self.code.into_iter().flat_map(|code| {
+            let ruled = self.ruled_gaps().into_iter();
+            ruled.map(move |gap| gap.by_code(&self.scene, code))
+        });
+        gaps.collect()
+    }
+
+    /// Every gap as rules see it.
+    pub(super) fn ruled_gaps<'a>(&'a self) -> Vec<RuledGap<'a>> {
+        let ruled = |gap: &'a GapAssessment| RuledGap {
+            left: gap.left,
+            own: gap.own,
+            needed: gap.required.largest(),
+            rules: &gap.rules,
+            sample: self.sample(),
+        };
+        self.assessment.gaps.iter().map(ruled).collect()
+    }
+
+    /// Whether a gap is enough, and the danger of floors that face columns.
     fn answer_of(&self, gap: &GapAssessment) -> String {
         let answer = self.answer_of_floors(gap);
-        gap.beside_columns.map_or(answer.clone(), |width| {
-            let width = millimetres_up(width);
-            format!("{answer} Floors beside columns may need {width} mm, the sum of both peaks.")
-        })
+        let danger = gap.beside_columns.zip(self.floors.says_columns(gap.left)).map(|(width, columns)| {
+            let keeps = format!("{} mm keep floors from columns under these motions.", millimetres_up(width));
+            format!("{answer} {columns} {keeps}")
+        });
+        danger.unwrap_or(answer)
     }
 
     fn answer_of_floors(&self, gap: &GapAssessment) -> String {
@@ -126,9 +148,8 @@ impl AssessmentReport {
         match gap.own {
             None => format!("{left} and {right} need {most} mm for 84 % of the {samples}s, {all} mm for all."),
             Some(own) if gap.touching == 0 && own >= needed => format!(
-                "{} mm is enough {}between {left} and {right}: they touch in none of {runs} runs, and need {} mm at most.{}",
+                "{} mm is enough between {left} and {right}: they touch in none of {runs} runs, and need {} mm at most.{}",
                 millimetres(own),
-                if own < gap.largest() { "for floors that face floors " } else { "" },
                 millimetres_up(needed),
                 margin(own, gap)
             ),
@@ -230,8 +251,7 @@ impl AssessmentReport {
 /// How much wider a gap is than the widest needed, if that is less than the standard deviation of the logarithms of the widths. Then another
 /// motion of the kind may well need more.
 fn margin(own: f64, gap: &GapAssessment) -> String {
-    let widths = [gap.largest(), gap.required.largest()];
-    let more = own / widths.into_iter().find(|width| *width <= own).unwrap_or(own);
+    let more = own / gap.largest();
     match gap.required.dispersion() {
         Some(spread) if libm::log(more) < spread => format!(
             " The margin of {} is less than the spread of the widths (σ ln {}): another motion may well need more.",

@@ -5,7 +5,7 @@ use std::path::Path;
 use pounding_assess::{Rule, Separation};
 use pounding_contact::{ContactLaw, Stereomechanical};
 use pounding_report::PairSummary;
-use pounding_scene::{Contact, PairQuantity, Scene, Simulation, Structure};
+use pounding_scene::{Contact, PairQuantity, Property, Scene, Simulation, Structure};
 
 /// Structures of other periods, one of which yields, beside a wall, under three seconds of random shaking.
 const SCENE: &str = r#"
@@ -33,6 +33,7 @@ fn touches(scene: &Scene, pair: usize, gap: f64) -> bool {
         gap_m: if index == pair { gap } else { 10.0 },
         law: ContactLaw::Stereomechanical(Stereomechanical { restitution: 0.5 }),
         levels: None,
+        property: Property::default(),
     };
     let mut scene = scene.clone();
     scene.contacts = Some((0..scene.structures.len() - 1).map(contact).collect());
@@ -71,7 +72,8 @@ fn issue_what_stays_open_is_no_sample() {
         Contact {
             gap_m: 0.5,
             law,
-            levels: None
+            levels: None,
+            property: Property::default(),
         };
         3
     ]);
@@ -115,7 +117,8 @@ fn limit_the_width_is_that_of_structures_alone() {
         Contact {
             gap_m: 0.001,
             law,
-            levels: None
+            levels: None,
+            property: Property::default(),
         };
         3
     ]);

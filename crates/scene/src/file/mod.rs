@@ -62,6 +62,10 @@ pub struct Scene {
     pub duration_s: Option<f64>,
     /// The structures and walls, from left to right.
     pub structures: Vec<Structure>,
+    /// Which floors face each other if heights are not given: `"level"` for storeys of one number at one height. Given heights decide
+    /// themselves.
+    #[serde(default, skip_serializing_if = "Option::is_none", deserialize_with = "choice::maybe")]
+    pub floors: Option<FloorHeights>,
     /// One contact between each structure and its right neighbour; absent if the structures stand apart.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub contacts: Option<Vec<Contact>>,
@@ -78,6 +82,39 @@ pub struct Scene {
     /// Limits on the work of a run.
     #[serde(default, skip_serializing_if = "RunBudget::is_usual")]
     pub budget: RunBudget,
+    /// Whether floors beside columns are accepted, without a model of their contact; [`Scene::seeking_gaps`] sets it.
+    #[serde(skip)]
+    pub seeks_gaps: bool,
+}
+
+/// Which floors face each other without heights.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum FloorHeights {
+    /// Storeys of one number are at one height.
+    Level,
+}
+
+impl choice::Choice for FloorHeights {}
+
+/// Owner of the ground of two neighbours, on which rules of codes for gaps depend.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Property {
+    /// Both stand on one property.
+    Same,
+    /// A property line runs between them: each keeps its own displacement to it.
+    #[default]
+    Other,
+}
+
+impl choice::Choice for Property {}
+
+impl Property {
+    #[expect(clippy::trivially_copy_pass_by_ref, reason = "serde passes a reference")]
+    fn is_other(&self) -> bool {
+        *self == Self::Other
+    }
 }
 
 #[expect(clippy::trivially_copy_pass_by_ref, reason = "serde passes a reference")]
@@ -121,6 +158,16 @@ impl Scene {
         })
     }
 
+    /// Returns the scene for questions about gaps: floors beside columns are not refused. No contact is modelled in a gap with such floors,
+    /// unless `levels` chooses others there.
+    #[must_use]
+    pub fn seeking_gaps(self) -> Self {
+        Self {
+            seeks_gaps: true,
+            ..self
+        }
+    }
+
     /// Returns the row with wide gaps and the exact method, to find the gaps that it needs. Fields that do not matter then are neither
     /// refused nor searched for.
     #[must_use]
@@ -135,6 +182,7 @@ impl Scene {
             method: Method::EXACT,
             ..self.clone()
         }
+        .seeking_gaps()
     }
 
     /// Whether a contact of the scene has a force over time, and not only impulses.
@@ -191,4 +239,7 @@ pub struct Contact {
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[schemars(length(min = 1), inner(range(min = 1)))]
     pub levels: Option<Vec<usize>>,
+    /// Whether both neighbours stand on the same property; rules of codes for gaps depend on it.
+    #[serde(default, skip_serializing_if = "Property::is_other", deserialize_with = "choice::one")]
+    pub property: Property,
 }

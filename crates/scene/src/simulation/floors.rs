@@ -9,7 +9,7 @@ use pounding_text::Refused;
 use levels::elevations;
 pub use unwatched::UnwatchedFloor;
 
-use crate::{Columns, Scene, Sdof, Structure};
+use crate::{Columns, Error, Property, Scene, Sdof, Structure};
 
 /// Largest difference between heights of floors that count as equal \[m\].
 pub(crate) const EQUAL_HEIGHTS: f64 = 1e-3;
@@ -26,6 +26,12 @@ pub struct Floors {
     levels: Levels,
     all: Vec<Floor>,
     facing: Vec<FloorPair>,
+    /// Gaps with contacts that are not modelled, because floors face columns there.
+    unmodelled: Vec<usize>,
+    /// Whether the scene says that storeys of one number are level.
+    told_level: bool,
+    /// Owners of the ground at every contact.
+    properties: Vec<Property>,
 }
 
 /// A floor of a building, the only floor of a structure of one storey, or a wall at the level of a floor.
@@ -123,10 +129,11 @@ impl Floors {
     /// # Errors
     /// [`Refused`] if a floor would hit the columns of a neighbour, or if a contact names levels at which nothing can touch.
     pub fn of(scene: &Scene) -> Result<Self, Refused> {
-        let levels = levels::of(scene)?;
+        let (levels, unmodelled) = levels::of(scene)?;
         let contacts = scene.contacts.iter().flatten().enumerate();
+        let modelled = contacts.filter(|(contact, _)| !unmodelled.contains(contact));
         let mut facing = Vec::new();
-        for (contact, one) in contacts {
+        for (contact, one) in modelled {
             let chosen = |node: &(usize, usize)| levels::lets_touch(one, levels.level(node.0));
             let at_levels = levels.facing(contact).filter(chosen);
             facing.extend(at_levels.map(|(left, right)| FloorPair { contact, left, right }));
@@ -137,7 +144,19 @@ impl Floors {
             all: (0..levels.n_nodes()).map(|node| floor(scene, &levels, node)).collect(),
             facing,
             levels,
+            unmodelled,
+            told_level: scene.floors.is_some(),
+            properties: scene.contacts.iter().flatten().map(|one| one.property).collect(),
         })
+    }
+
+    /// Checks that a row can be modelled, whatever shakes it.
+    ///
+    /// # Errors
+    /// Refuses its first field that cannot be used, and what [`Self::of`] refuses.
+    pub fn check(scene: &Scene) -> Result<(), Error> {
+        let floors = scene.check().and_then(|()| Self::of(scene));
+        floors.map(|_| ()).map_err(|refused| Error::in_scene(&scene.name, refused))
     }
 
     /// Takes other numbers for a row of structures of one storey and walls.
@@ -195,6 +214,16 @@ impl Floors {
     /// Floors that can touch, in the order of the row's pairs.
     pub fn facing(&self) -> &[FloorPair] {
         &self.facing
+    }
+
+    /// Whether a gap has a contact that is not modelled, because floors face columns there.
+    pub fn is_unmodelled(&self, gap: usize) -> bool {
+        self.unmodelled.contains(&gap)
+    }
+
+    /// Whether both sides of a gap stand on one property; without contacts they do not.
+    pub fn property(&self, gap: usize) -> Property {
+        self.properties.get(gap).copied().unwrap_or_default()
     }
 
     /// Indices of the pairs, contact by contact from the left, each from the ground up.

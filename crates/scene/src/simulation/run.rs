@@ -3,13 +3,13 @@
 use std::ops::Range;
 
 use pounding_solver::{
-    Clock, Closings, Collisions, Excitation, FloorAccelerations, Histories, Integrator, LastStates, Ledger, LedgerError, OnRow, Opening,
+    BesideColumn, Clock, Closings, Collisions, Excitation, FloorAccelerations, Histories, Integrator, LastStates, Ledger, LedgerError, OnRow, Opening,
     Pair, Peak, Peaks, Recorders, RunError, Terms, TransferredMomentum, Travel, Work,
 };
 
 use super::Simulation;
 use crate::settings::out_of_range;
-use crate::{Error, Method, Structure};
+use crate::{Error, Method, Structure, UnwatchedFloor};
 use pounding_text::{RefusalKind, Refused, digits, short};
 
 /// Number of looks at a motion in the shortest natural period, unless its series allows fewer; see [`Closings`].
@@ -209,7 +209,19 @@ impl Simulation {
     fn closings(&self) -> Closings {
         let periods = self.scene.structures.iter().filter_map(Structure::period);
         let look = periods.fold(f64::INFINITY, f64::min) / LOOKS_PER_PERIOD;
-        Closings::new(self.walls(), look).travelled(self.travel())
+        let closings = Closings::new(self.walls(), look).travelled(self.travel());
+        let columns = self.floors.beside_all_columns();
+        closings.beside(columns.iter().map(|one| self.beside_column(one)).collect())
+    }
+
+    fn beside_column(&self, one: &UnwatchedFloor) -> BesideColumn {
+        BesideColumn {
+            floor: one.floor,
+            is_left: self.floors.all()[one.floor].structure == one.gap,
+            below: one.below,
+            above: one.above,
+            along: one.along,
+        }
     }
 
     /// Travel of the ground motion along the row; `None` if it arrives everywhere at once.

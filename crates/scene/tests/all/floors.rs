@@ -166,6 +166,7 @@ fn issue_warnings_name_contacts_and_not_pairs() {
         "name": "three buildings of two storeys",
         "record": {"generated": {"half_sine": {"amplitude_m_per_s2": 4.0, "duration_s": 0.4, "time_step_s": 0.01}}},
         "duration_s": 2.0,
+        "floors": "level",
         "structures": [building("a", 0.5), building("b", 0.8), building("c", 0.4)],
         "contacts": [contact, contact],
         "method": {"rk4": {"time_step_s": 0.005}}

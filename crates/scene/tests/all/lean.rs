@@ -97,8 +97,10 @@ fn scene() -> impl Strategy<Value = (Scene, Vec<f64>)> {
             contacts,
             neighbour: None,
             arrivals_s: None,
+            floors: None,
             method,
             budget: RunBudget::default(),
+            seeks_gaps: false,
         };
         (scene, ground)
     })

@@ -18,6 +18,48 @@ pub struct Closing {
     pub time: f64,
 }
 
+/// A floor beside a column of its neighbour, between the floors at both ends of the column.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct BesideColumn {
+    /// The floor.
+    pub floor: usize,
+    /// Whether the floor is on the left of the column.
+    pub is_left: bool,
+    /// Floor at the foot of the column; `None` if the column stands on the ground.
+    pub below: Option<usize>,
+    /// Floor at the head of the column.
+    pub above: usize,
+    /// Position of the floor along the column \[–\], more than 0 at the foot and less than 1 at the head.
+    pub along: f64,
+}
+
+impl BesideColumn {
+    /// Weights of the motions of the floor, the head and the foot of the column in the closing: the column is straight between its ends.
+    fn weights(&self) -> [f64; 3] {
+        let side = if self.is_left { 1.0 } else { -1.0 };
+        [side, -side * self.along, -side * (1.0 - self.along)]
+    }
+
+    /// The gap between the floor and the column; the ground has no motion of its own.
+    fn gap(&self) -> Gap {
+        let weights = self.weights();
+        let parts = if self.below.is_some() { 3 } else { 2 };
+        Gap::of(&weights[..parts])
+    }
+
+    /// Index of the motion of a node in the gap.
+    fn part(&self, node: usize) -> Option<usize> {
+        let parts = [Some(self.floor), Some(self.above), self.below];
+        parts.iter().position(|part| *part == Some(node))
+    }
+
+    /// The motion of the head of a column that stands on travelling ground, with the share of the ground in the column's motion.
+    fn on_ground(&self, head: Cubic, travel: Option<&Travel>) -> Cubic {
+        let share = (1.0 - self.along) / self.along;
+        head.plus(head.of_ground(self.above, travel).times(share))
+    }
+}
+
 /// Records how far every two neighbours came towards each other, including the motion between nodes and samples.
 ///
 /// The motion of a stepping method is the cubic of its spans; the largest closing is that of these cubics. A series is replaced by cubics
@@ -34,6 +76,8 @@ pub struct Closings {
     travel: Option<Travel>,
     /// The gap between each structure and its right neighbour.
     gaps: Vec<Gap>,
+    /// Floors beside columns, whose gaps follow those of neighbours.
+    columns: Vec<BesideColumn>,
     /// The gaps under the mirrored shaking; empty unless requested.
     reversed: Vec<Gap>,
 }
@@ -42,12 +86,13 @@ impl Closings {
     /// A recorder for a row of these structures; `walls` marks the walls. `look` is the longest interval \[s\], > 0, between two looks at a
     /// series of more than forty terms or in fractional powers of time.
     pub fn new(walls: Vec<bool>, look: f64) -> Self {
-        let gaps = vec![Gap::default(); walls.len().saturating_sub(1)];
+        let gaps = vec![Gap::of(&Gap::OF_TWO); walls.len().saturating_sub(1)];
         Self {
             look,
             walls,
             travel: None,
             gaps,
+            columns: Vec::new(),
             reversed: Vec::new(),
         }
     }
@@ -56,8 +101,15 @@ impl Closings {
     /// columns have no preferred direction, and the run begins at rest.
     #[must_use]
     pub fn both_ways(self) -> Self {
-        let reversed = self.gaps.iter().map(|_| Gap::reversed()).collect();
+        let reversed = self.gaps.iter().map(Gap::reversed).collect();
         Self { reversed, ..self }
+    }
+
+    /// Also records the closings of floors and columns. Comes before [`Self::both_ways`].
+    #[must_use]
+    pub fn beside(mut self, columns: Vec<BesideColumn>) -> Self {
+        self.gaps.extend(columns.iter().map(BesideColumn::gap));
+        Self { columns, ..self }
     }
 
     /// Records on ground along which the excitation [travels](crate::Row::travel).
@@ -79,10 +131,38 @@ impl Closings {
         self.reversed.get(left)?.largest
     }
 
-    /// Adds a piece of the motion of a structure to the gaps on both sides.
+    /// Closing of a floor and a column, by the index of the column, as it shakes or under the mirrored shaking; `None` unless requested.
+    pub fn of_column(&self, column: usize, reversed: bool) -> Option<Closing> {
+        let gaps = if reversed { &self.reversed } else { &self.gaps };
+        gaps.get(self.of_neighbours() + column)?.largest
+    }
+
+    /// Number of gaps between neighbours.
+    fn of_neighbours(&self) -> usize {
+        self.walls.len().saturating_sub(1)
+    }
+
+    /// Adds a piece of the motion of a structure to its gaps.
     fn follow(&mut self, structure: usize, travel: Option<&Travel>, piece: &Piece) {
+        self.follow_neighbours(structure, travel, piece);
+        let first = self.of_neighbours();
+        for (index, column) in self.columns.iter().enumerate() {
+            let Some(part) = column.part(structure) else {
+                continue;
+            };
+            let on_ground = travel.is_some() && column.below.is_none() && structure == column.above;
+            let both = [self.gaps.get_mut(first + index), self.reversed.get_mut(first + index)];
+            for gap in both.into_iter().flatten() {
+                let piece = if on_ground { column.on_ground(piece.cubic, travel).into() } else { piece.clone() };
+                gap.follow(part, piece);
+            }
+        }
+    }
+
+    /// Adds a piece of the motion of a structure to the gaps on both sides.
+    fn follow_neighbours(&mut self, structure: usize, travel: Option<&Travel>, piece: &Piece) {
         let left = structure.checked_sub(1);
-        let right = (structure < self.gaps.len()).then_some(structure + 1);
+        let right = (structure < self.of_neighbours()).then_some(structure + 1);
         let sides = [(left, left, 1), (right, right.map(|_| structure), 0)];
         for (neighbour, gap, side) in sides {
             let Some((neighbour, gap)) = neighbour.zip(gap) else {

@@ -11,7 +11,7 @@ pub(crate) mod recorder;
 mod recorders;
 mod transferred_momentum;
 
-pub use closings::{Closing, Closings};
+pub use closings::{BesideColumn, Closing, Closings};
 pub use collisions::is_plastic;
 pub use collisions::{Collision, Collisions};
 pub use floor_accelerations::FloorAccelerations;

@@ -5,7 +5,7 @@ use std::fmt;
 use pounding_motion::Record;
 use serde::{Deserialize, Serialize};
 
-use pounding_scene::{Building, Columns, Damping, Scene, Sdof, Storey, Structure};
+use pounding_scene::{Building, Columns, Damping, FloorHeights, Scene, Sdof, Storey, Structure};
 
 /// A change under which the paper's claims are tested again.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
@@ -55,6 +55,7 @@ impl Change {
     /// The changed scene. Its name stays, because the claims find scenes by name.
     pub(crate) fn of_scene(self, mut scene: Scene) -> Scene {
         if let Self::Storeys(count) = self {
+            scene.floors = Some(FloorHeights::Level);
             for structure in &mut scene.structures {
                 if let Structure::Sdof(sdof) = structure {
                     *structure = Structure::Building(building(sdof, count));

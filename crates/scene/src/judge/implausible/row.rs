@@ -3,7 +3,7 @@
 use pounding_contact::{ContactLaw, FreeImpact, FreePair, reduced_mass};
 
 use super::Doubts;
-use crate::{Contact, FloorPair, Simulation, Structure};
+use crate::{Contact, FloorPair, Simulation};
 use pounding_text::{digits, short};
 
 /// Widest usual gap \[m\]: the moat of an isolated building, or the seismic joint of tall ones.
@@ -17,7 +17,6 @@ const LATEST: f64 = 1.0;
 
 pub(super) fn doubt(prepared: &Simulation, doubts: &mut Doubts) {
     let scene = prepared.scene();
-    doubt_the_levels(prepared, doubts);
     let mut facing = vec![None; scene.contacts.iter().flatten().count()];
     for one in prepared.floors().facing() {
         facing[one.contact].get_or_insert(*one);
@@ -45,37 +44,6 @@ pub(super) fn doubt(prepared: &Simulation, doubts: &mut Doubts) {
             "up to 1 s between neighbours: their distance over the apparent velocity, some hundred metres per second",
         );
     }
-}
-
-/// Notes floors that count as level only because their heights are not given.
-fn doubt_the_levels(prepared: &Simulation, doubts: &mut Doubts) {
-    let (scene, floors) = (prepared.scene(), prepared.floors());
-    let is_counted = |floor: usize| floors.all()[floor].storey.is_some();
-    let beside = |one: &FloorPair| {
-        let walls = [one.left, one.right].map(|side| floors.all()[side].is_wall());
-        (is_counted(one.left) || is_counted(one.right)) && walls == [false; 2]
-    };
-    if !floors.facing().iter().any(beside) {
-        return;
-    }
-    let unknown = scene.structures.iter().enumerate().find_map(|(index, one)| {
-        let place = match one {
-            Structure::Sdof(sdof) if sdof.height_m.is_none() => "sdof.height_m".into(),
-            Structure::Building(building) => {
-                let mut storeys = building.storeys.iter();
-                let storey = storeys.position(|one| one.height_m.is_none())?;
-                format!("building.storeys[{storey}].height_m")
-            }
-            Structure::Sdof(_) | Structure::Wall => return None,
-        };
-        Some(format!("structures[{index}].{place}"))
-    });
-    doubts.unless(
-        unknown.is_none(),
-        unknown.unwrap_or_default(),
-        "none: storeys of one number are taken to be level, so that floors meet floors".into(),
-        "the height of every storey of the row; a floor that hits a column between floors can bring a building down, and is not modelled",
-    );
 }
 
 /// Notes a compliant law so soft that collisions last as long as vibrations.

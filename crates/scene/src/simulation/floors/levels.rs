@@ -6,21 +6,27 @@ use pounding_text::{Refused, digits};
 use super::EQUAL_HEIGHTS;
 use crate::{Contact, Scene, Structure};
 
-/// Finds the levels of a scene whose structures were checked.
+/// Finds the levels of a scene whose structures were checked, and the contacts that are not modelled because floors face columns.
 ///
 /// # Errors
-/// [`Refused`] if a floor would hit the columns of a neighbour, or if a contact names levels at which nothing can touch.
-pub(super) fn of(scene: &Scene) -> Result<Levels, Refused> {
+/// [`Refused`] if a floor would hit the columns of a neighbour, if heights are missing that decide it, or if a contact names levels at which
+/// nothing can touch.
+pub(super) fn of(scene: &Scene) -> Result<(Levels, Vec<usize>), Refused> {
     let elevations: Vec<_> = scene.structures.iter().map(elevations).collect();
     let known = Heights::of(scene, &elevations);
+    if known == Heights::Counted {
+        check_told(scene, &elevations)?;
+    }
     let mut levels = levels_of(scene, &elevations, known);
+    let mut unmodelled = Vec::new();
     for (contact, one) in scene.contacts.iter().flatten().enumerate() {
         let facing = facing(scene, &levels, contact);
         match &one.levels {
             Some(chosen) if !facing.is_empty() => check_chosen(scene, contact, chosen, &facing)?,
-            _ if known == Heights::Known => {
-                check_heights(scene, &elevations, contact, &facing)?;
-            }
+            _ if known == Heights::Known => match check_heights(scene, &elevations, contact, &facing) {
+                Err(_) if scene.seeks_gaps && scene.floors.is_none() => unmodelled.push(contact),
+                checked => checked?,
+            },
             _ => {}
         }
     }
@@ -29,7 +35,39 @@ pub(super) fn of(scene: &Scene) -> Result<Levels, Refused> {
             levels[wall] = levels_of_wall(scene, &levels, wall);
         }
     }
-    Ok(Levels::at(&levels))
+    Ok((Levels::at(&levels), unmodelled))
+}
+
+/// Refuses a building of several storeys beside another structure if nothing tells which of their floors face each other.
+fn check_told(scene: &Scene, elevations: &[Option<Vec<f64>>]) -> Result<(), Refused> {
+    let is_asked = scene.seeks_gaps || scene.contacts.is_some();
+    if scene.floors.is_some() || !is_asked {
+        return Ok(());
+    }
+    let has_storeys = |one: &Structure| matches!(one, Structure::Building(building) if building.storeys.len() > 1);
+    let is_wall = |one: &Structure| matches!(one, Structure::Wall);
+    let mut neighbours = scene.structures.windows(2);
+    if !neighbours.any(|two| two.iter().any(has_storeys) && !two.iter().any(is_wall)) {
+        return Ok(());
+    }
+    let unknown = |(one, heights): (&Structure, &Option<Vec<f64>>)| heights.is_none() && !is_wall(one);
+    let mut all = scene.structures.iter().zip(elevations);
+    let Some(index) = all.position(unknown) else {
+        return Ok(());
+    };
+    let field = match &scene.structures[index] {
+        Structure::Building(building) => {
+            let without = building.storeys.iter().position(|one| one.height_m.is_none());
+            format!("building.storeys[{}].height_m", without.unwrap_or(0))
+        }
+        Structure::Sdof(_) | Structure::Wall => "sdof.height_m".into(),
+    };
+    let found = Refused::at(format!("structures[{index}].{field}")).found("none, so that nothing tells which floors face floors");
+    let found = found.allowed_is("the height of every storey of the row");
+    Err(found.help(
+        "or write floors = \"level\" in the scene if storeys of one number are at one height. A floor that faces a column can bring a building \
+         down",
+    ))
 }
 
 /// Whether a contact lets floors touch at a level, counted from 0.
@@ -150,11 +188,12 @@ fn check_heights(scene: &Scene, elevations: &[Option<Vec<f64>>], contact: usize,
                 none if none.is_empty() => none,
                 levels => format!("levels = [{levels}] lets those touch that do, and no others; or "),
             };
-            let found = Refused::at(format!("contacts[{contact}]")).found(found);
+            let place = scene.floors.map_or_else(|| format!("contacts[{contact}]"), |_| "floors".into());
+            let found = Refused::at(place).found(found);
             let found = found.but("; allowed are ", "floors that face floors, up to the lower roof");
             return Err(found.so(": ", those_that_face).and(
-                "change height_m of a storey. A floor that hits columns between floors can bring a building down, and is not \
-                 modelled: no gap from here is safe for it",
+                "change height_m of a storey. A floor that hits columns between floors can bring a building down, and that contact is not \
+                 modelled; `pounding gap` and `pounding assess` find the width that keeps floors from columns",
             ));
         }
     }

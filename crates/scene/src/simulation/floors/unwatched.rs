@@ -44,6 +44,7 @@ impl Floors {
         };
         let left_out = facing
             .iter()
+            .filter(|_| !self.is_unmodelled(gap))
             .filter(|(left, right)| moves(*left) && moves(*right) && !is_watched(*left));
         all.extend(left_out.map(|(left, right)| UnwatchedFloor {
             gap,
@@ -85,24 +86,33 @@ impl Floors {
         Some(format!("{levels} of {left} and {right}"))
     }
 
-    /// Sentences about neighbours without floors of the same level, whose required gap is not known.
-    pub fn says_no_level(&self) -> Vec<String> {
-        let names = self.structures.windows(2).enumerate();
-        // Nothing moves between two walls.
-        let none = names.filter(|(gap, _)| self.levels.facing(*gap).next().is_none());
-        none.map(|(_, names)| {
-            format!(
-                "No floors of {} face each other: the width that they need is not known.",
-                names.join(" and ")
-            )
-        })
-        .collect()
+    /// Floors beside columns, of every gap from the left.
+    pub fn beside_all_columns(&self) -> Vec<UnwatchedFloor> {
+        let mut all = self.unwatched();
+        all.retain(|one| !one.is_level());
+        all
     }
 
-    /// Whether floors on both sides of a gap are level up to the lower roof, by the heights in the scene.
+    /// A sentence about the floors of a gap that face columns; `None` if there are none.
+    pub fn says_columns(&self, gap: usize) -> Option<String> {
+        let all = self.unwatched_in(gap);
+        let names: Vec<&str> = all.iter().filter(|one| !one.is_level()).map(|one| self.all[one.floor].name.as_str()).collect();
+        let first = names.first()?;
+        let floors = match names.len() {
+            1 => format!("{first} faces a column of its neighbour"),
+            n => format!("{n} floors face columns of the neighbour, the first {first}"),
+        };
+        Some(format!(
+            "{floors}: a floor that hits a column can bring the building down, and that contact is not modelled."
+        ))
+    }
+
+    /// Whether floors on both sides of a gap are level up to the lower roof, by the heights in the scene or because it says so.
     pub fn are_level(&self, gap: usize) -> bool {
-        let known = [gap, gap + 1].map(|one| self.heights_of(one).is_some());
-        known == [true; 2] && self.beside_columns(gap).is_empty()
+        let sides = [gap, gap + 1];
+        let are_walls = sides.map(|one| self.of_structure(one).iter().any(|floor| self.all[*floor].is_wall()));
+        let known = sides.map(|one| self.heights_of(one).is_some());
+        (known == [true; 2] || self.told_level) && are_walls == [false; 2] && self.beside_columns(gap).is_empty()
     }
 
     /// Heights of the floors of a structure, from the ground up; `None` if some are unknown, and for a wall.

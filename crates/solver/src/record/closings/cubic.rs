@@ -102,28 +102,38 @@ impl Cubic {
     }
 
     pub(super) fn mirrored(self) -> Self {
-        let mirrored = |node: Node| Node {
-            displacement: -node.displacement,
-            velocity: -node.velocity,
+        self.times(-1.0)
+    }
+
+    /// The cubic times a number.
+    pub(super) fn times(self, factor: f64) -> Self {
+        let times = |node: Node| Node {
+            displacement: factor * node.displacement,
+            velocity: factor * node.velocity,
             ..node
         };
         Self {
-            start: mirrored(self.start),
-            end: mirrored(self.end),
+            start: times(self.start),
+            end: times(self.end),
+        }
+    }
+
+    /// The sum of two cubics over a common interval.
+    pub(super) fn plus(self, other: Self) -> Self {
+        let plus = |one: Node, other: Node| Node {
+            time: one.time,
+            displacement: one.displacement + other.displacement,
+            velocity: one.velocity + other.velocity,
+        };
+        Self {
+            start: plus(self.start, other.start),
+            end: plus(self.end, other.end),
         }
     }
 
     /// The difference of two cubics over a common interval.
     pub(super) fn less(self, other: Self) -> Self {
-        let less = |one: Node, other: Node| Node {
-            time: one.time,
-            displacement: one.displacement - other.displacement,
-            velocity: one.velocity - other.velocity,
-        };
-        Self {
-            start: less(self.start, other.start),
-            end: less(self.end, other.end),
-        }
+        self.plus(other.mirrored())
     }
 
     /// Values of its Bézier points, whose range contains the cubic.

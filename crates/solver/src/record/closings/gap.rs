@@ -1,4 +1,7 @@
 //! The motion between two neighbours, and how far they have closed their gap.
+//!
+//! Of two floors the closing is the left motion minus the right motion. A floor beside a column closes its gap with the motion of the
+//! column at its height, which lies between those of both ends: a gap is a weighted sum of motions.
 
 use std::collections::VecDeque;
 
@@ -7,22 +10,58 @@ use super::cubic::Cubic;
 use super::piece::Piece;
 
 /// The gap between two neighbours.
-#[derive(Debug, Clone, Default, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub(super) struct Gap {
-    /// Motions of the left and of the right neighbour that the other has not reached yet, from a common instant.
-    pub(super) ahead: [VecDeque<Piece>; 2],
+    /// Motions that some other one has not reached yet, from a common instant: for two floors those of the left one and of the right one.
+    pub(super) ahead: Vec<VecDeque<Piece>>,
+    /// Weights of the motions in the closing.
+    weights: Vec<f64>,
     pub(super) largest: Option<Closing>,
     /// Whether the gap is that under the mirrored shaking, which mirrors every motion.
     reversed: bool,
 }
 
 impl Gap {
-    /// A gap under the mirrored shaking.
-    pub(super) fn reversed() -> Self {
+    /// A gap between a left and a right neighbour.
+    pub(super) const OF_TWO: [f64; 2] = [1.0, -1.0];
+
+    /// A gap whose closing is the sum of motions with these weights.
+    pub(super) fn of(weights: &[f64]) -> Self {
+        Self {
+            ahead: vec![VecDeque::new(); weights.len()],
+            weights: weights.to_vec(),
+            largest: None,
+            reversed: false,
+        }
+    }
+
+    /// The gap under the mirrored shaking.
+    pub(super) fn reversed(&self) -> Self {
         Self {
             reversed: true,
-            ..Self::default()
+            ..self.clone()
         }
+    }
+
+    /// Weighted sum of the foremost motions until an instant.
+    fn foremost(&self, end: f64) -> Option<Cubic> {
+        let weighed = |(ahead, weight): (&VecDeque<Piece>, &f64)| Some(ahead.front()?.cubic.until(end).times(*weight));
+        let mut motions = self.ahead.iter().zip(&self.weights).map(weighed);
+        let first = motions.next()??;
+        motions.try_fold(first, |sum, next| Some(sum.plus(next?)))
+    }
+
+    /// First end of the foremost motions; `None` unless all are known.
+    fn common_end(&self) -> Option<f64> {
+        let ends = self.ahead.iter().map(|ahead| Some(ahead.front()?.cubic.end.time));
+        ends.reduce(|one, other| Some(one?.min(other?)))?
+    }
+
+    /// Largest distance of the foremost motions from their cubics, weighed \[m\].
+    fn leaves_out(&self) -> f64 {
+        let fronts = self.ahead.iter().zip(&self.weights);
+        let weighed = fronts.filter_map(|(ahead, weight)| Some(ahead.front()?.leaves_out() * weight.abs()));
+        weighed.sum()
     }
 
     /// The closing of the gap, from the left motion minus the right motion.
@@ -48,13 +87,13 @@ impl Gap {
         }
     }
 
-    /// Adds a piece of the motion of a neighbour, next to a neighbour that moves.
+    /// Adds a piece of the motion with this index; for two floors 0 is the left one and 1 the right one.
     pub(super) fn follow(&mut self, side: usize, piece: Piece) {
         self.ahead[side].push_back(piece);
-        while let [Some(left), Some(right)] = self.ahead.each_ref().map(VecDeque::front) {
-            let end = left.cubic.end.time.min(right.cubic.end.time);
-            let closing = self.closing(left.cubic.until(end).less(right.cubic.until(end)));
-            let leaves_out = left.leaves_out() + right.leaves_out();
+        while let Some(end) = self.common_end() {
+            let Some(sum) = self.foremost(end) else { return };
+            let closing = self.closing(sum);
+            let leaves_out = self.leaves_out();
             if !self.knows(&closing, leaves_out) {
                 if leaves_out > 0.0 {
                     self.ahead.iter_mut().for_each(look_closer);

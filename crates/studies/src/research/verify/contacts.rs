@@ -4,7 +4,7 @@ use crate::study::laws::{free_pair, is_linear};
 use pounding_contact::{Calibration, ContactLaw, LawName, Stereomechanical};
 
 use super::random::Random;
-use pounding_scene::{Contact, Structure};
+use pounding_scene::{Contact, Property, Structure};
 
 /// Approach speed for the calibration of laws that need one \[m/s\].
 const SPEED: f64 = 0.3;
@@ -29,7 +29,12 @@ pub(super) fn all(random: &mut Random, structures: &[Structure]) -> Vec<Contact>
         let levels = some_levels.then(|| levels(random, two)).flatten();
         contacts.push(match contacts.first() {
             Some(first) if alike => Contact { levels, ..first.clone() },
-            _ => Contact { gap_m, law, levels },
+            _ => Contact {
+                gap_m,
+                law,
+                levels,
+                property: Property::default(),
+            },
         });
     }
     contacts

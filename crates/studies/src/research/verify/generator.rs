@@ -9,7 +9,7 @@ use super::random::Random;
 use super::written::rewritten;
 use pounding_scene::file::Stochastic;
 use pounding_scene::file::{BoucWen, Ground, RunBudget, ScaleTo};
-use pounding_scene::{Building, Columns, Contact, Damping, FileUse, Generated, Method, RecordUse};
+use pounding_scene::{Building, Columns, Contact, Damping, FileUse, FloorHeights, Generated, Method, RecordUse};
 use pounding_scene::{Scene, Sdof, Source, Storey, Structure};
 
 /// Largest number of storeys of a building.
@@ -30,10 +30,12 @@ pub(super) fn scene(seed: u64, index: usize) -> Scene {
         duration_s: Some(random.within(5.0, 20.0)),
         neighbour: None,
         arrivals_s: arrivals(&mut random, n),
+        floors: Some(FloorHeights::Level),
         structures,
         contacts: Some(contacts),
         method: Method::EXACT,
         budget: RunBudget::default(),
+        seeks_gaps: false,
     };
     let all = ["record", "duration_s", "arrivals_s", "structures", "contacts"];
     rewritten(&scene, &all, &mut in_few_digits)

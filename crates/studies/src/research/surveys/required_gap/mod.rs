@@ -136,7 +136,7 @@ impl<'a> Widths<'a> {
         let of_ratio = |ratio| Rule::COMMON.into_iter().map(move |rule| (ratio, rule, self.score(rule, ratio)));
         Table::of(any_and_each(&self.ratios).flat_map(of_ratio))
             .column("period_ratio", |(ratio, ..)| words_of(*ratio))
-            .column("rule", |(_, rule, _)| rule.name())
+            .column("rule", |(_, rule, _)| name_of(*rule))
             .column("cases", |(.., score)| score.cases)
             .column("unsafe_cases", |(.., score)| score.unsafe_cases)
             .column("unsafe_share", |(.., score)| score.share())
@@ -155,6 +155,15 @@ fn any_and_each(ratios: &[f64]) -> impl Iterator<Item = Option<f64>> {
 /// A ratio of periods in a table, or the word for all of them.
 fn words_of(ratio: Option<f64>) -> String {
     ratio.map_or_else(|| "all".into(), digits)
+}
+
+/// Name of a rule in the table of results, which has no editions.
+fn name_of(rule: Rule) -> &'static str {
+    match rule {
+        Rule::Eurocode8 => "EC 8",
+        Rule::Asce7 => "ASCE 7",
+        other => other.name(),
+    }
 }
 
 /// Width by a rule that needs no heights \[m\].

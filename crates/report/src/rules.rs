@@ -1,0 +1,103 @@
+//! Words about the rules of codes for gaps: what each takes, and the width that a code asks for.
+
+use pounding_assess::{Rule, RuleAssessment};
+use pounding_scene::{Property, Scene};
+use pounding_text::{digits, millimetres, millimetres_up};
+
+/// A gap as rules see it.
+pub(crate) struct RuledGap<'a> {
+    /// Index of the structure on the left.
+    pub(crate) left: usize,
+    /// Gap of the scene \[m\].
+    pub(crate) own: Option<f64>,
+    /// Widest gap that a motion asks for \[m\].
+    pub(crate) needed: f64,
+    /// Widths by the rules.
+    pub(crate) rules: &'a [RuleAssessment],
+    /// The word for a sample: "event", or "case" for an event beside a neighbour that was drawn.
+    pub(crate) sample: &'static str,
+}
+
+impl RuledGap<'_> {
+    fn names(&self, scene: &Scene) -> String {
+        let [left, right] = [self.left, self.left + 1].map(|index| scene.structures[index].name());
+        format!("{left} and {right}")
+    }
+
+    fn property(&self, scene: &Scene) -> Property {
+        let contacts = scene.contacts.as_deref().unwrap_or_default();
+        contacts.get(self.left).map_or_else(Property::default, |one| one.property)
+    }
+
+    /// The width that a code asks for under these motions, in a sentence.
+    pub(crate) fn by_code(&self, scene: &Scene, code: Rule) -> String {
+        let (words, names) = (code.words(), self.names(scene));
+        let Some(one) = self.rules.iter().find(|one| one.rule == code) else {
+            return format!("By {}: no width between {names}, because the rule takes heights: give height_m.", code.cited());
+        };
+        let n = one.width.sorted().len();
+        let mean_from = words.mean_from.filter(|_| self.sample == "event");
+        let (width, is_mean) = match mean_from {
+            Some(_) => one.asked(),
+            None => (one.width.largest(), false),
+        };
+        let of = match (is_mean, n) {
+            (true, n) => format!("mean of {n} events"),
+            (false, 1) => format!("the only {}", self.sample),
+            (false, n) => format!("largest of {n} {}s", self.sample),
+        };
+        let few = if n < words.least_events {
+            format!("; the code wants {} or more", words.least_events)
+        } else {
+            String::new()
+        };
+        let narrowed = one.narrowed().map_or_else(String::new, |factor| {
+            format!(", with {} for level floors, which accepts that slabs meet", digits(factor))
+        });
+        let own = self.own.map_or_else(String::new, |own| {
+            let is_enough = if own < width { "less" } else { "enough" };
+            format!(" The given {} mm are {is_enough}.", millimetres(own))
+        });
+        let more = if width < self.needed {
+            format!(" These motions need {} mm at most to keep them apart.", millimetres_up(self.needed))
+        } else {
+            String::new()
+        };
+        format!(
+            "By {}: {} mm between {names} ({of}{few}){narrowed}.{own}{more}",
+            code.cited(),
+            millimetres_up(width)
+        )
+    }
+}
+
+/// What stands beside the widths of these rules: sources, property lines, level floors and clauses that were not seen.
+pub(crate) fn notes(scene: &Scene, gaps: &[RuledGap<'_>], shown: &[Rule]) -> Vec<String> {
+    let is_shown = |rule: &Rule| shown.contains(rule);
+    let all: Vec<Rule> = Rule::ALL.into_iter().filter(is_shown).filter(|rule| rule.words().clause.is_some()).collect();
+    let cited: Vec<String> = all.iter().map(|rule| format!("{} ({})", rule.cited(), rule.words().says)).collect();
+    let mut said = vec![
+        format!("Codes: {}.", cited.join("; ")),
+        "Rules take the displacements of the time history; C_d, q, R and I_e of the codes are not applied.".into(),
+    ];
+    for gap in gaps {
+        said.push(match gap.property(scene) {
+            Property::Same => format!("{} stand on one property, as the scene says.", gap.names(scene)),
+            Property::Other => format!(
+                "Between {} runs a property line, unless `property = \"same\"` of the contact tells otherwise: each keeps its own \
+                 displacement to it.",
+                gap.names(scene)
+            ),
+        });
+    }
+    let narrowed = |rule: &Rule| {
+        let mut ruled = gaps.iter().flat_map(|gap| gap.rules);
+        let factor = ruled.find(|one| one.rule == *rule)?.narrowed()?;
+        Some(format!("{} ({})", rule.name(), digits(factor)))
+    };
+    let narrowed: Vec<String> = all.iter().filter_map(narrowed).collect();
+    if !narrowed.is_empty() {
+        said.push(format!("Factors for level floors accept that slabs meet: {}.", narrowed.join(", ")));
+    }
+    said
+}
