@@ -1,7 +1,7 @@
 //! One run of an assessment: a row under one motion in one direction, alone, beside its neighbours, and with softer and stiffer
 //! contact.
 
-use pounding_scene::{Error, Excess, Floors, Implausible, PairQuantity, RunResult, Scene, Simulation, parallel};
+use pounding_scene::{Error, Excess, Extras, Floors, Implausible, PairQuantity, RunResult, Scene, Simulation, parallel};
 use serde::Serialize;
 
 use crate::alone::Alone;
@@ -76,7 +76,10 @@ impl AssessedRun {
             let own = alone.separations(reversed);
             (alone.floors.clone(), own.unwrap_or_default().to_vec())
         };
-        let beside = exact.run(None)?;
+        let beside = exact.run_with(Extras {
+            drift_rates: true,
+            ..Extras::default()
+        })?;
         let excesses = exact.excesses(&beside);
         let mut pushes = beside.collisions.all().iter();
         let mut variants = Vec::new();

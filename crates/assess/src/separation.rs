@@ -25,6 +25,8 @@ pub struct Separation {
     /// Whether the floors of both neighbours are level up to the lower roof, by the heights in the scene; floors that may not touch count,
     /// too.
     pub level: bool,
+    /// Whether a neighbour is told to stand on isolators: rules for joints between buildings do not size its moat.
+    pub isolated: bool,
     /// Width that keeps the floors of each neighbour from the columns of the other \[m\], by the sum of both peaks; `None` if no floor
     /// faces a column.
     pub beside_columns: Option<f64>,
@@ -85,6 +87,7 @@ impl Separation {
                 time,
                 peaks: [one, other].map(|index| alone.peaks.of(index).displacement.value.abs()),
                 level: floors.are_level(left),
+                isolated: [left, left + 1].into_iter().any(|one| floors.is_isolated(one)),
                 beside_columns: beside_columns.get(&left).copied(),
                 oscillations: sides.map(|floor| floor.oscillation(apart.scene())),
                 heights: heights(floors, [one, other]),
@@ -183,12 +186,16 @@ impl Rule {
         }
     }
 
-    /// Returns the width by the rule \[m\]; `None` if the rule needs heights that the scene does not give.
+    /// Returns the width by the rule \[m\]; `None` if the rule needs heights that the scene does not give, and beside a building on
+    /// isolators for all but the sum of both peaks: rules for joints do not size a moat, and DDC takes periods before yielding.
     ///
     /// Displacements come from the time history. Behaviour and amplification factors, by which codes estimate such displacements, do not
     /// apply.
     pub fn width(self, separation: &Separation) -> Option<f64> {
         let [left, right] = separation.peaks;
+        if separation.isolated && self != Self::Abs {
+            return None;
+        }
         let srss = (left * left + right * right).sqrt();
         let when_level = |factor: f64| if separation.level { factor } else { 1.0 };
         match self {
@@ -265,6 +272,7 @@ mod tests {
                 peaks,
                 oscillations: [None; 2],
                 level,
+                isolated: false,
                 beside_columns: None,
                 heights: Some(heights),
             };
@@ -320,10 +328,30 @@ mod tests {
             peaks: [0.1; 2],
             oscillations: [None; 2],
             level: false,
+            isolated: false,
             beside_columns: None,
             heights: None,
         };
         let silent: Vec<_> = Rule::ALL.into_iter().filter(|rule| rule.width(&unknown).is_none()).collect();
         assert_eq!(silent, [Rule::Tbdy2018, Rule::E030, Rule::Gb50011]);
+    }
+
+    /// A moat was offered 100 mm by GB 50011 and 100.2 mm by TBDY, rules for joints between buildings.
+    #[test]
+    fn issue_rules_for_joints_do_not_size_a_moat() {
+        let moat = Separation {
+            left: 0,
+            at_level: 1,
+            required: 0.2,
+            time: 1.0,
+            peaks: [0.0, 0.2],
+            oscillations: [None; 2],
+            level: true,
+            isolated: true,
+            beside_columns: None,
+            heights: Some([0.5, 13.3]),
+        };
+        let given: Vec<_> = Rule::ALL.into_iter().filter(|rule| rule.width(&moat).is_some()).collect();
+        assert_eq!(given, [Rule::Abs]);
     }
 }

@@ -57,12 +57,29 @@ pub fn gaps_answer<'a>(folder: &'a OfFolder<'_, GapsUnderMotion>) -> Answer<'a> 
     let answer = (0..n_gaps).fold(folder.answer(), |answer, gap| of_gap(folder, answer, gap));
     let levels = has_storeys(scene).then_some(LEVELS);
     let travels = scene.arrivals_s.is_some().then_some(TRAVELS);
-    let notes = [Some(NOTES), levels, travels].into_iter().flatten();
+    let moat = Floors::of(scene).ok().and_then(|floors| says_moat(&floors));
+    let notes = [Some(NOTES), levels, travels].into_iter().flatten().map(String::from);
     answer
         .say(Where::FirstScreen, "Records", folder.records(false))
         .say(Where::Details, "Records", folder.records(true))
-        .say(Where::Terminal, "Notes", notes.map(String::from).collect())
+        .say(Where::Terminal, "Notes", notes.chain(moat).collect())
         .with_csv(|| gaps_table(folder).csv())
+}
+
+/// A sentence about gaps without rules, beside buildings that are told to stand on isolators; `None` if there are none.
+pub(crate) fn says_moat(floors: &Floors) -> Option<String> {
+    let names = floors.structures().iter().enumerate();
+    let isolated: Vec<&str> = names
+        .filter(|(index, _)| floors.is_isolated(*index))
+        .map(|(_, name)| name.as_str())
+        .collect();
+    (!isolated.is_empty()).then(|| {
+        format!(
+            "Beside {} only the sum of both peaks is given: rules for joints between buildings do not size the moat of a building on \
+             isolators. GB 50011-2010, 12.2.7, asks for 1.2 times the displacement in the rare earthquake, and at least 200 mm.",
+            isolated.join(" and ")
+        )
+    })
 }
 
 /// The table for programs: a row for each gap under each motion.

@@ -4,8 +4,8 @@ mod json;
 
 use std::path::PathBuf;
 
-use pounding::report::{method_facts, other_direction_exact, record_facts};
-use pounding::scene::{Columns, ContactLimit, Excess, FreeLimit, Implausible, MethodLimits, RunResult, Simulation, Structure};
+use pounding::report::{damping_facts, method_facts, other_direction_exact, record_facts};
+use pounding::scene::{Columns, ContactLimit, Excess, ExcessKind, FreeLimit, Implausible, MethodLimits, RunResult, Simulation, Structure};
 use pounding::solver::Opening;
 use pounding::text::{Answer, Form, Grid, Manner, NONE, Refused, Shown, Table, Unit, Where, short};
 
@@ -61,11 +61,11 @@ impl Expected {
         }
     }
 
-    /// Floors that may touch in either direction and are not modelled.
-    fn unwatched(&self, prepared: &Simulation) -> Vec<String> {
+    /// Floors that may touch in either direction and are not modelled, and dashpots that hold isolators.
+    fn unmodelled(&self, prepared: &Simulation) -> Vec<String> {
         let runs = std::iter::once(&self.outcome).chain(&self.reversed);
         let all = Excess::gathered(runs.map(|run| prepared.excesses(run))).into_iter();
-        let all = all.filter(|one| one.kind.is_unwatched());
+        let all = all.filter(|one| one.kind.is_unwatched() || one.kind == ExcessKind::MassDamping);
         all.map(|one| one.to_string()).collect()
     }
 
@@ -95,7 +95,7 @@ impl<'a> Plan<'a> {
                 let before = prepared.warnings_before(&outcome);
                 warnings.extend(before.iter().map(ToString::to_string));
                 let expected = Expected::of(prepared, outcome);
-                warnings.extend(expected.unwatched(prepared));
+                warnings.extend(expected.unmodelled(prepared));
                 Some(expected)
             }
             Err(error) => {
@@ -133,6 +133,7 @@ fn answer<'a>(plan: &'a Plan<'_>) -> Answer<'a> {
         .table(Where::Terminal, structures(prepared));
     if let Some(expected) = &plan.expected {
         answer = answer
+            .say(Where::Terminal, "Damping", damping_facts(prepared, &expected.outcome))
             .say(Where::Terminal, "Cost", vec![cost_lines(prepared, &expected.outcome)])
             .say(Where::Terminal, "Pairs", no_pairs(prepared))
             .table(Where::Terminal, pairs(prepared, expected));

@@ -7,6 +7,7 @@ use serde_json::{Value, json};
 use super::AssessmentReport;
 use super::tables::{first, statistics};
 use crate::SCHEMA_VERSION;
+use crate::gaps::says_moat;
 use crate::page::{BEFORE, UNUSUAL, sentence};
 
 impl AssessmentReport {
@@ -87,6 +88,12 @@ impl AssessmentReport {
             .heading("Rules of codes")
             .say(Where::Page, "", vec![RULES.into()])
             .table(Where::Everywhere, first(&self.rules()))
+            .say_as(
+                Where::Everywhere,
+                Manner::Soft,
+                "Moat",
+                says_moat(&self.floors).into_iter().collect(),
+            )
             .heading("Motions")
             .table(Where::Details, self.runs().grid())
             .say_as(Where::Everywhere, Manner::List, "Records", self.remarks().to_vec())

@@ -32,7 +32,7 @@ use budget::Patience;
 
 pub use budget::RunBudget;
 pub use building::{Building, Storey};
-pub use columns::{BoucWen, Columns};
+pub use columns::{BoucWen, Capacities, Columns};
 pub use damping::Damping;
 pub use generated::{Generated, Ground, Stochastic};
 pub use method::{Jumps, Method, Start};

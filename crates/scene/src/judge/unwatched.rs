@@ -14,6 +14,7 @@ impl Simulation {
         let judged = |one: UnwatchedFloor| {
             let contacts = self.scene().contacts.as_deref();
             let kind = match contacts {
+                Some(_) if one.is_at_ground() => ExcessKind::AtFoot,
                 None => ExcessKind::BesideColumn,
                 Some(_) if one.is_level() => ExcessKind::LeftOut,
                 Some(_) => ExcessKind::AtColumn,
@@ -24,10 +25,14 @@ impl Simulation {
                 floor: one.floor,
                 name: floors.all()[one.floor].name.clone(),
                 found: together(&one, result, &openings) - gap,
+                capacity: None,
                 often: None,
             }
         };
-        let all = floors.unwatched().into_iter().map(judged);
+        let all = floors.unwatched().into_iter();
+        // Without a contact nothing says where the foot of a neighbour is.
+        let all = all.filter(|one| !one.is_at_ground() || self.scene().contacts.is_some());
+        let all = all.map(judged);
         all.filter(|one| one.found >= 0.0).collect()
     }
 

@@ -22,6 +22,11 @@ impl UnwatchedFloor {
     pub fn is_level(&self) -> bool {
         self.along >= 1.0
     }
+
+    /// Whether it is a base slab at the ground, which faces the foot of its neighbour.
+    pub(crate) fn is_at_ground(&self) -> bool {
+        self.along <= 0.0
+    }
 }
 
 impl Floors {
@@ -102,7 +107,7 @@ impl Floors {
     /// Whether floors on both sides of a gap are level up to the lower roof, by the heights in the scene.
     pub fn are_level(&self, gap: usize) -> bool {
         let known = [gap, gap + 1].map(|one| self.heights_of(one).is_some());
-        known == [true; 2] && self.beside_columns(gap).is_empty()
+        known == [true; 2] && self.beside_columns(gap).iter().all(UnwatchedFloor::is_at_ground)
     }
 
     /// Heights of the floors of a structure, from the ground up; `None` if some are unknown, and for a wall.
