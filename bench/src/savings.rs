@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use pounding_scene::{Damping, Error, Extras, Method, Sdof, Simulation, Structure};
+use pounding_scene::{Capacities, Damping, Error, Extras, Method, Sdof, Simulation, Structure};
 use serde_json::json;
 
 use crate::measure::{Outcome, RatioTable, Rounds, in_turn, median};
@@ -130,6 +130,7 @@ fn structure(index: usize, remembers: bool) -> Structure {
         bouc_wen: None,
         yield_force_n: remembers.then_some(1e12),
         height_m: None,
+        capacities: Capacities::default(),
         initial_displacement_m: 0.0,
         initial_velocity_m_per_s: 0.0,
     })

@@ -207,8 +207,12 @@ impl Rule {
         clause.map_or_else(|| edition.into(), |clause| format!("{edition}, {clause}"))
     }
 
-    /// Returns the width by the rule \[m\]; `None` if the rule needs heights that the scene does not give.
+    /// Returns the width by the rule \[m\]; `None` if the rule needs heights that the scene does not give, and beside a building on
+    /// isolators for all but the sum of both peaks: rules for joints do not size a moat, and DDC takes periods before yielding.
     pub fn width(self, separation: &Separation) -> Option<f64> {
+        if separation.isolated && self != Self::Abs {
+            return None;
+        }
         let [left, right] = separation.peaks;
         let sum = left + right;
         let srss = (left * left + right * right).sqrt();
@@ -281,6 +285,7 @@ mod tests {
             peaks,
             oscillations: [None; 2],
             level: false,
+            isolated: false,
             beside_columns: None,
             heights: None,
             property: Property::Same,
@@ -382,6 +387,18 @@ mod tests {
         }
         assert_eq!(Rule::of_code("ntc-2018"), Ok(Rule::Ntc2018));
         assert!(Rule::of_code("is-1893").is_err_and(|said| said.contains("en-1998-1, asce-7-16")));
+    }
+
+    /// A moat was offered 100 mm by GB 50011 and 100.2 mm by TBDY, rules for joints between buildings.
+    #[test]
+    fn issue_rules_for_joints_do_not_size_a_moat() {
+        let moat = Separation {
+            isolated: true,
+            heights: Some([0.5, 13.3]),
+            ..gap([0.0, 0.2])
+        };
+        let given: Vec<_> = Rule::ALL.into_iter().filter(|rule| rule.width(&moat).is_some()).collect();
+        assert_eq!(given, [Rule::Abs]);
     }
 
     #[test]

@@ -79,6 +79,7 @@ impl AssessedRun {
         // Closings tell how near floors come to columns that they face.
         let beside = exact.run_with(Extras {
             closings: !exact.floors().beside_all_columns().is_empty(),
+            drift_rates: true,
             ..Extras::default()
         })?;
         let excesses = exact.excesses(&beside);

@@ -26,6 +26,8 @@ pub struct Separation {
     /// Whether the floors of both neighbours are level up to the lower roof, by the heights in the scene or because it says so; floors that
     /// may not touch count, too.
     pub level: bool,
+    /// Whether a neighbour is told to stand on isolators: rules for joints between buildings do not size its moat.
+    pub isolated: bool,
     /// Width below which floors hit columns \[m\]; `None` if no floor faces a column.
     pub beside_columns: Option<f64>,
     /// Height of that level, and of the lower of both buildings \[m\]; `None` if the scene does not give them.
@@ -120,6 +122,7 @@ impl Separation {
             time,
             peaks: sides.peaks,
             level: floors.are_level(sides.left),
+            isolated: [sides.left, sides.left + 1].into_iter().any(|one| floors.is_isolated(one)),
             beside_columns: sides.at_column.then_some(required),
             oscillations: sides.floors.map(|floor| floors.all()[floor].oscillation(apart.scene())),
             heights: heights(floors, sides.floors),

@@ -2,7 +2,7 @@
 
 use std::mem::discriminant;
 
-use pounding_scene::{Error, Excess, ExcessKind, PairOutcome, RecordUse, Review, RunResult, Simulation};
+use pounding_scene::{Error, Excess, ExcessKind, Extras, PairOutcome, RecordUse, Review, RunResult, Simulation};
 
 use pounding_text::short;
 
@@ -28,7 +28,10 @@ const SAME: f64 = 1e-9;
 /// # Errors
 /// Those of [`Simulation::run`].
 pub fn other_direction(prepared: &Simulation) -> Result<RunResult, Error> {
-    prepared.under(|record| record.scaled(-1.0))?.run(None)
+    prepared.under(|record| record.scaled(-1.0))?.run_with(Extras {
+        drift_rates: true,
+        ..Extras::default()
+    })
 }
 
 /// Runs the scene under the reversed record, by the exact method.
@@ -109,7 +112,7 @@ fn notices(prepared: &Simulation, review: &Review, other: &RunResult, names: [&s
         match (of(0, kind), of(1, kind)) {
             (Some(one), Some(other)) if (one.found - other.found).abs() <= SAME * one.found => Some(format!("both directions: {one}")),
             (Some(one), Some(other)) => {
-                let (side, worse) = if other.found > one.found { (1, other) } else { (0, one) };
+                let (side, worse) = if other.share() > one.share() { (1, other) } else { (0, one) };
                 Some(format!("both directions, worse {}", said(side, worse)))
             }
             (Some(one), None) => Some(said(0, one)),

@@ -63,12 +63,29 @@ pub fn gaps_answer<'a>(folder: &'a OfFolder<'_, GapsUnderMotion>, code: Option<R
     let answer = all.iter().fold(answer, |answer, gap| of_gap(folder, answer, gap, &shown));
     let levels = has_storeys(scene).then_some(LEVELS);
     let travels = scene.arrivals_s.is_some().then_some(TRAVELS);
-    let said = [Some(NOTES), levels, travels].into_iter().flatten().map(String::from);
+    let moat = Floors::of(scene).ok().and_then(|floors| says_moat(&floors));
+    let said = [Some(NOTES), levels, travels].into_iter().flatten().map(String::from).chain(moat);
     answer
         .say(Where::FirstScreen, "Records", folder.records(false))
         .say(Where::Details, "Records", folder.records(true))
         .say(Where::Terminal, "Notes", said.chain(notes(scene, &ruled, &shown)).collect())
         .with_csv(|| gaps_table(folder).csv())
+}
+
+/// A sentence about gaps without rules, beside buildings that are told to stand on isolators; `None` if there are none.
+pub(crate) fn says_moat(floors: &Floors) -> Option<String> {
+    let names = floors.structures().iter().enumerate();
+    let isolated: Vec<&str> = names
+        .filter(|(index, _)| floors.is_isolated(*index))
+        .map(|(_, name)| name.as_str())
+        .collect();
+    (!isolated.is_empty()).then(|| {
+        format!(
+            "Beside {} only the sum of both peaks is given: rules for joints between buildings do not size the moat of a building on \
+             isolators. GB 50011-2010, 12.2.7, asks for 1.2 times the displacement in the rare earthquake, and at least 200 mm.",
+            isolated.join(" and ")
+        )
+    })
 }
 
 /// A gap and the width that it needs under all motions.
@@ -82,7 +99,9 @@ struct RequiredAt {
 
 impl RequiredAt {
     fn of(folder: &OfFolder<'_, GapsUnderMotion>, index: usize) -> Option<Self> {
-        let found = folder.found().filter_map(|(line, found)| Some(([line.event, 0], found.separations.get(index)?)));
+        let found = folder
+            .found()
+            .filter_map(|(line, found)| Some(([line.event, 0], found.separations.get(index)?)));
         let found: Vec<_> = found.collect();
         let left = found.first()?.1.left;
         let contacts = folder.scene.contacts.as_ref();
@@ -167,15 +186,23 @@ fn numbers<'a, Of: 'a>(scene: &'a Scene, shown: &[Rule], table: Table<'a, Of>, o
 /// Adds the table of one gap and its result.
 fn of_gap<'a>(folder: &OfFolder<'a, GapsUnderMotion>, answer: Answer<'a>, gap: &RequiredAt, shown: &[Rule]) -> Answer<'a> {
     let scene = folder.scene;
-    let found = folder.found().filter_map(|(line, found)| Some((line, found.separations.get(gap.index)?)));
+    let found = folder
+        .found()
+        .filter_map(|(line, found)| Some((line, found.separations.get(gap.index)?)));
     let found: Vec<_> = found.collect();
     let [one, other] = [gap.left, gap.left + 1].map(|index| scene.structures[index].name());
-    let in_scene = gap.own.map_or_else(String::new, |own| format!(", {} mm in the scene", digits(own * 1e3)));
+    let in_scene = gap
+        .own
+        .map_or_else(String::new, |own| format!(", {} mm in the scene", digits(own * 1e3)));
     let table = Table::of(found).shown("Record", |(line, _)| line.name());
     answer
         .say(Where::Terminal, "Gap", vec![format!("{one} – {other}{in_scene}")])
         .table(Where::Terminal, numbers(scene, shown, table, |(_, one)| Some(*one)).grid())
-        .say(Where::Terminal, "Result", result(&gap.all, gap.own, says_columns(scene, gap.left), shown))
+        .say(
+            Where::Terminal,
+            "Result",
+            result(&gap.all, gap.own, says_columns(scene, gap.left), shown),
+        )
 }
 
 /// The floors of a gap that face columns, in a sentence.
@@ -225,7 +252,11 @@ fn result(all: &RequiredGap, own: Option<f64>, columns: Option<String>, shown: &
         enough(widths.p84())
     )];
     let width = all.beside_columns.map(enough);
-    lines.extend(columns.zip(width).map(|(columns, width)| format!("{columns} {width} mm keep floors from columns")));
+    lines.extend(
+        columns
+            .zip(width)
+            .map(|(columns, width)| format!("{columns} {width} mm keep floors from columns")),
+    );
     lines.extend(own.map(|own| {
         format!(
             "with the {} mm of the scene the structures touch under {} of them",

@@ -60,7 +60,7 @@ use std::sync::Arc;
 
 pub use advice::advice_answer;
 pub use animation::Animation;
-pub use answer::{method_facts, record_facts};
+pub use answer::{damping_facts, method_facts, record_facts};
 pub use assessment::{AssessedMotion, AssessmentReport, FolderOfMotions, ScalingAsked};
 pub use blow::Blow;
 pub use certificate::certificate;

@@ -33,7 +33,10 @@ impl RuledGap<'_> {
     pub(crate) fn by_code(&self, scene: &Scene, code: Rule) -> String {
         let (words, names) = (code.words(), self.names(scene));
         let Some(one) = self.rules.iter().find(|one| one.rule == code) else {
-            return format!("By {}: no width between {names}, because the rule takes heights: give height_m.", code.cited());
+            return format!(
+                "By {}: no width between {names}, because the rule takes heights: give height_m.",
+                code.cited()
+            );
         };
         let n = one.width.sorted().len();
         let mean_from = words.mean_from.filter(|_| self.sample == "event");
@@ -74,7 +77,11 @@ impl RuledGap<'_> {
 /// What stands beside the widths of these rules: sources, property lines, level floors and clauses that were not seen.
 pub(crate) fn notes(scene: &Scene, gaps: &[RuledGap<'_>], shown: &[Rule]) -> Vec<String> {
     let is_shown = |rule: &Rule| shown.contains(rule);
-    let all: Vec<Rule> = Rule::ALL.into_iter().filter(is_shown).filter(|rule| rule.words().clause.is_some()).collect();
+    let all: Vec<Rule> = Rule::ALL
+        .into_iter()
+        .filter(is_shown)
+        .filter(|rule| rule.words().clause.is_some())
+        .collect();
     let cited: Vec<String> = all.iter().map(|rule| format!("{} ({})", rule.cited(), rule.words().says)).collect();
     let mut said = vec![
         format!("Codes: {}.", cited.join("; ")),

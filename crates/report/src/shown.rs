@@ -14,6 +14,7 @@ pub mod tables {
         Floor::PeakDisplacementM,
         Floor::PeakDisplacementTimeS,
         Floor::PeakShearForceN,
+        Floor::BaseShearRatio,
         Floor::Ductility,
         Floor::TransferredMomentumNS,
     ];
@@ -31,6 +32,7 @@ pub mod tables {
         Floor::DriftRatio,
         Floor::PeakShearForceN,
         Floor::Ductility,
+        Floor::DamperForceRatio,
     ];
     /// Pairs.
     pub const PAIRS: &[Pair] = &[
@@ -48,6 +50,7 @@ pub mod tables {
         Floor::PeakDriftM,
         Floor::DriftRatio,
         Floor::PeakShearForceN,
+        Floor::BaseShearRatio,
         Floor::Ductility,
     ];
     /// Structures of scenes side by side.

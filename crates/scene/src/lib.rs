@@ -50,11 +50,13 @@ pub use accuracy::opening::SimulationOptions;
 pub use accuracy::price::RunMode;
 pub use file::error::Error;
 pub use file::{
-    Building, Columns, Contact, Damping, FileUse, FloorHeights, Generated, Method, Property, RecordUse, STANDARD_GRAVITY, Scene, Sdof, Source, Storey, Structure,
+    Building, Capacities, Columns, Contact, Damping, FileUse, FloorHeights, Generated, Method, Property, RecordUse, STANDARD_GRAVITY,
+    Scene, Sdof, Source, Storey, Structure,
 };
 pub use ground_motion::{GroundMotion, Origin, SharedMotion, hexadecimal, sha256};
 pub use judge::certificate::{Certificate, CertificateRequest};
 pub use judge::certified::{CertificateFact, CertificateValue, DeliveredBy, DeliveredNumber};
+pub use judge::dampers::MassDamping;
 pub use judge::free_collision::{DeliveredRestitution, FreeCollision};
 pub use judge::implausible::Implausible;
 pub use judge::limits::{ContactLimit, FreeLimit, MethodLimits};

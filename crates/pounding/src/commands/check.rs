@@ -2,8 +2,8 @@
 
 use std::path::PathBuf;
 
-use pounding::report::{RecordSummary, method_facts, other_direction_exact, record_facts};
-use pounding::scene::{Columns, ContactLimit, Excess, FreeLimit, Implausible, MethodLimits, RunResult, Simulation, Structure};
+use pounding::report::{RecordSummary, damping_facts, method_facts, other_direction_exact, record_facts};
+use pounding::scene::{Columns, ContactLimit, Excess, ExcessKind, FreeLimit, Implausible, MethodLimits, RunResult, Simulation, Structure};
 use pounding::solver::Opening;
 use pounding::text::{Answer, Cell, Form, Manner, NONE, Refused, Shown, Table, Unit, Where, short};
 use serde_json::{Value, json};
@@ -60,11 +60,11 @@ impl Expected {
         }
     }
 
-    /// Floors that may touch in either direction and are not modelled.
-    fn unwatched(&self, prepared: &Simulation) -> Vec<String> {
+    /// Floors that may touch in either direction and are not modelled, and dashpots that hold isolators.
+    fn unmodelled(&self, prepared: &Simulation) -> Vec<String> {
         let runs = std::iter::once(&self.outcome).chain(&self.reversed);
         let all = Excess::gathered(runs.map(|run| prepared.excesses(run))).into_iter();
-        let all = all.filter(|one| one.kind.is_unwatched());
+        let all = all.filter(|one| one.kind.is_unwatched() || one.kind == ExcessKind::MassDamping);
         all.map(|one| one.to_string()).collect()
     }
 
@@ -106,7 +106,7 @@ impl<'a> Plan<'a> {
                 let before = prepared.warnings_before(&outcome);
                 warnings.extend(before.iter().map(ToString::to_string));
                 let expected = Expected::of(prepared, outcome);
-                warnings.extend(expected.unwatched(prepared));
+                warnings.extend(expected.unmodelled(prepared));
                 Some(expected)
             }
             Err(error) => {
@@ -144,6 +144,7 @@ fn answer(plan: &Plan<'_>) -> Answer<'static> {
         .table(Where::Terminal, structures(prepared).grid());
     if let Some(expected) = &plan.expected {
         answer = answer
+            .say(Where::Terminal, "Damping", damping_facts(prepared, &expected.outcome))
             .say(Where::Terminal, "Cost", vec![cost_lines(prepared, &expected.outcome)])
             .say(Where::Terminal, "Pairs", no_pairs(prepared))
             .table(

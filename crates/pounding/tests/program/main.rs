@@ -16,6 +16,7 @@ mod finite;
 mod folders;
 mod helps;
 mod init;
+mod isolators;
 mod law_lists;
 mod machines;
 mod motion_issues;

@@ -33,6 +33,9 @@ def sdof(
     hardening_ratio: float | None = None,
     bouc_wen: Mapping[str, Any] | None = None,
     height: float | None = None,
+    drift_capacity_ratio: float | None = None,
+    shear_capacity: float | None = None,
+    isolation_layer: bool | None = None,
     initial_displacement: float | None = None,
     initial_velocity: float | None = None,
 ) -> Structure:
@@ -62,6 +65,12 @@ def sdof(
         Parameters of smooth yielding, as in a file.
     height
         Height of the mass over the ground [m].
+    drift_capacity_ratio
+        Displacement that the columns bear, over ``height`` [–]; by default that of ductile construction.
+    shear_capacity
+        Shear force that the columns bear [N]; by default it is not judged.
+    isolation_layer
+        Whether the structure stands on isolators, which have no limits of columns.
     initial_displacement, initial_velocity
         State at t = 0 [m], [m/s].
     """
@@ -84,7 +93,8 @@ def building(
     ----------
     storeys
         From the ground up: dicts with ``mass`` [kg], ``stiffness`` [N/m], ``height`` [m], ``yield_force`` [N],
-        ``yield_displacement`` [m], ``yield_drift_ratio`` [–], ``hardening_ratio`` [–], ``repeat`` (number of equal storeys).
+        ``yield_displacement`` [m], ``yield_drift_ratio`` [–], ``hardening_ratio`` [–],
+        ``drift_capacity_ratio`` [–], ``shear_capacity`` [N], ``isolation_layer``, ``repeat`` (number of equal storeys).
     period
         First natural period [s], which determines the stiffness of equal storeys; or ``stiffness`` of each storey.
     damping

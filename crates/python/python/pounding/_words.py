@@ -22,6 +22,7 @@ STRUCTURE = {
     "height": "height_m",
     "yield_force": "yield_force_n",
     "yield_displacement": "yield_displacement_m",
+    "shear_capacity": "shear_capacity_n",
     "initial_displacement": "initial_displacement_m",
     "initial_velocity": "initial_velocity_m_per_s",
 }

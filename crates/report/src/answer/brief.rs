@@ -76,11 +76,14 @@ pub(super) fn apart(prepared: &Simulation, outcome: &RunResult) -> Vec<String> {
     }
 }
 
-/// The worst of every building, each with its floor.
+/// The worst of every building, each with its floor. The drift of isolators is none of columns, and is left out beside that of storeys.
 pub(super) fn buildings(prepared: &Simulation, words: &InWords<'_>) -> Grid {
     let floors = prepared.floors();
     let worst = |structure: usize, quantity: FloorQuantity| {
-        let own = floors.of_structure(structure).iter().copied();
+        let own = floors.of_structure(structure);
+        let is_drift = ![FloorQuantity::PeakDisplacementM, FloorQuantity::BaseShearRatio].contains(&quantity);
+        let is_left_out = |floor: &usize| is_drift && own.len() > 1 && floors.all()[*floor].is_isolation_layer();
+        let own = own.iter().copied().filter(|floor| !is_left_out(floor));
         let known = own.filter_map(|floor| {
             let value = words.value(words.of_storey(quantity, floor), floor)?;
             Some((floor, value.abs()))

@@ -8,8 +8,9 @@ mod tables;
 mod verdict;
 
 pub use facts::{method_facts, record_facts};
+pub use scene::damping_facts;
 
-use pounding_scene::{Implausible, RunResult, Warning};
+use pounding_scene::{Excess, Implausible, RunResult, Warning};
 use pounding_text::{Answer, Grid, Manner, Where};
 
 use crate::page::{BEFORE, UNUSUAL, sentence};
@@ -71,7 +72,7 @@ impl Report<'_> {
             .heading("Scene")
             .say(Where::Details, "Scene", vec![summary.scene.name.clone()])
             .table(Where::Details, scene::structures(prepared))
-            .say_as(Where::Details, Manner::Soft, "Damping", scene::damping(&summary.scene))
+            .say_as(Where::Details, Manner::Soft, "Damping", damping_facts(prepared, &review.outcome))
             .table(Where::Details, scene::contacts(&summary.scene))
             .heading("Ground motion")
             .say_as(Where::Details, Manner::Facts, "Record", record_facts(prepared))
@@ -116,6 +117,12 @@ impl Report<'_> {
         if self.review.warnings.iter().any(is_error) {
             warnings.push("`pounding advise SCENE --error 3%` finds a method and time step".into());
         }
+        let others = self.directions.iter().filter_map(|both| both.other.as_ref());
+        let runs: Vec<&RunResult> = std::iter::once(&self.review.outcome).chain(others).collect();
+        warnings.extend(Excess::says_assumed(self.prepared.floors(), |floor| {
+            let drifts = runs.iter().map(|run| run.peaks.of(floor).drift().value.abs());
+            drifts.fold(0.0, f64::max)
+        }));
         if warnings.is_empty() {
             let besides = if self.prepared.doubts().is_empty() {
                 "none"

@@ -1,7 +1,7 @@
 //! What was modelled: the tables of structures and contacts that a reader checks against drawings.
 
-use pounding_scene::{Columns, Contact, Damping, Floor, Scene, Simulation, StoreyProperties, Structure};
-use pounding_text::{Grid, NONE, Shown, Table, Unit, digits, short};
+use pounding_scene::{Columns, Contact, Damping, Floor, RunResult, Scene, Simulation, StoreyProperties, Structure};
+use pounding_text::{Grid, NONE, Shown, Table, Unit, digits, percent, short};
 
 /// A floor of a structure and its properties; a wall has neither.
 #[derive(Clone, Copy)]
@@ -104,10 +104,20 @@ fn shape(columns: &Columns) -> Option<String> {
     (!parts.is_empty()).then(|| parts.join(", "))
 }
 
-/// Sentences about damping that was not given as a ratio of one mode.
-pub(super) fn damping(scene: &Scene) -> Vec<String> {
-    let given = |structure: &Structure| Some(format!("{}: {}", structure.name(), given(structure)?));
-    scene.structures.iter().filter_map(given).collect()
+/// Sentences about damping that was not given as a ratio of one mode, and about its part that is proportional to mass.
+pub fn damping_facts(prepared: &Simulation, outcome: &RunResult) -> Vec<String> {
+    let said = |(index, structure): (usize, &Structure)| {
+        let mass = prepared.mass_damping(outcome, index);
+        let mass = mass.map_or_else(String::new, |mass| {
+            format!(
+                "; its mass term is {} of critical at {} s, the first period with the stiffness at the peak drifts",
+                percent(mass.ratio),
+                short(mass.period_s)
+            )
+        });
+        Some(format!("{}: {}{mass}", structure.name(), given(structure)?))
+    };
+    prepared.scene().structures.iter().enumerate().filter_map(said).collect()
 }
 
 /// How the damping was given, if not as a ratio of one mode.

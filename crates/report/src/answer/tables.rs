@@ -82,7 +82,8 @@ pub(super) fn pairs(prepared: &Simulation, words: &InWords<'_>) -> Grid {
 pub(super) fn notes(prepared: &Simulation) -> String {
     format!(
         "Accelerations are absolute, that of the ground included, impulsive impacts left out. Residual is the displacement at the end of the \
-         run, at {} s; free vibration that has not died away by then is still in it.",
+         run, at {} s; free vibration that has not died away by then is still in it. Shear is that of the columns; the force of the dampers \
+         is not in it.",
         digits(prepared.duration())
     )
 }

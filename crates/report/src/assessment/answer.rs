@@ -7,6 +7,7 @@ use serde_json::{Value, json};
 use super::AssessmentReport;
 use super::tables::{first, statistics};
 use crate::SCHEMA_VERSION;
+use crate::gaps::says_moat;
 use crate::page::{BEFORE, UNUSUAL, sentence};
 use crate::rules::notes;
 
@@ -88,7 +89,18 @@ impl AssessmentReport {
             .heading("Rules of codes")
             .say(Where::Page, "", vec![RULES.into()])
             .table(Where::Everywhere, first(&self.rules()))
-            .say_as(Where::Everywhere, Manner::Soft, "Rules", notes(&self.scene, &self.ruled_gaps(), &Rule::ALL))
+            .say_as(
+                Where::Everywhere,
+                Manner::Soft,
+                "Rules",
+                notes(&self.scene, &self.ruled_gaps(), &Rule::ALL),
+            )
+            .say_as(
+                Where::Everywhere,
+                Manner::Soft,
+                "Moat",
+                says_moat(&self.floors).into_iter().collect(),
+            )
             .heading("Motions")
             .table(Where::Details, self.runs().grid())
             .say_as(Where::Everywhere, Manner::List, "Records", self.remarks().to_vec())

@@ -45,6 +45,10 @@ impl AssessmentReport {
     /// What harms the answer, the worst first.
     pub fn warnings(&self) -> Vec<String> {
         let mut said: Vec<String> = self.excesses().iter().map(ToString::to_string).collect();
+        said.extend(Excess::says_assumed(&self.floors, |floor| {
+            let drifts = self.motions.iter().map(|one| one.run.floors[floor].beside.drift);
+            drifts.fold(0.0, f64::max)
+        }));
         said.extend(self.misfit());
         let far: Vec<String> = self
             .far()

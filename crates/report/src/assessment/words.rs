@@ -220,11 +220,12 @@ impl AssessmentReport {
         said
     }
 
-    /// The storeys that get worse by touching, with their numbers in the row: first those whose drift or shear force grows, then those whose
+    /// The storeys that get worse by touching, isolation layers left out, with their numbers in the row: first those whose drift or shear force grows, then those whose
     /// acceleration alone grows; the largest growth first.
     pub fn worse(&self) -> Vec<(usize, &FloorAssessment)> {
         let floors = self.assessment.floors.iter().enumerate();
-        let worse = floors.filter_map(|(index, floor)| Some((index, floor.as_ref()?)));
+        let columns = floors.filter(|(index, _)| !self.floors.all()[*index].is_isolation_layer());
+        let worse = columns.filter_map(|(index, floor)| Some((index, floor.as_ref()?)));
         let mut worse: Vec<_> = worse.filter(|(_, floor)| floor.is_worse()).collect();
         worse.sort_by(|one, other| {
             let [one, other] = [one.1, other.1].map(Worst::of);

@@ -6,7 +6,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::choice;
-use super::columns::{BoucWen, Columns, ColumnsFile, positive};
+use super::columns::{BoucWen, Capacities, Columns, ColumnsFile, positive};
 use crate::Damping;
 
 /// A building whose floors move as rigid plates on the columns of their storeys (shear building).
@@ -36,6 +36,9 @@ pub struct Storey {
     /// Columns of the storey.
     #[serde(flatten)]
     pub columns: Columns,
+    /// What the scene says of the limits of the storey.
+    #[serde(flatten)]
+    pub capacities: Capacities,
     /// Displacement of the floor at t = 0 \[m\], relative to the ground.
     #[serde(skip_serializing_if = "super::is_zero")]
     pub initial_displacement_m: f64,
@@ -80,8 +83,15 @@ struct StoreyFile {
     hardening_ratio: Option<f64>,
     /// Smooth yielding; by default columns yield at one point.
     bouc_wen: Option<BoucWen>,
-    /// Height of the storey \[m\], > 0; for drift ratios and for which floors face each other.
+    /// Height of the storey \[m\], > 0; for drift ratios and for which floors face each other. An isolation layer without it has its base
+    /// slab at the ground.
     height_m: Option<f64>,
+    /// Whether the lowest storey stands for isolators, which have no limits of columns. By default `check` asks if it looks like them.
+    isolation_layer: Option<bool>,
+    /// Drift over `height_m` that the columns bear \[–\], > 0; by default that of ductile construction, 0.025 and a ductility of 6.
+    drift_capacity_ratio: Option<f64>,
+    /// Shear force that the columns bear \[N\], > 0; by default it is not judged.
+    shear_capacity_n: Option<f64>,
     /// Displacement of the floor at t = 0 \[m\], relative to the ground.
     #[serde(default)]
     initial_displacement_m: f64,
@@ -96,6 +106,12 @@ struct StoreyFile {
 fn once() -> usize {
     1
 }
+
+/// Least ratio of the stiffness of the second storey to that of a lowest storey that looks like isolators \[–\]. The storeys of frames
+/// differ less, those of a soft ground storey included.
+const ISOLATORS_SOFTER: f64 = 5.0;
+/// Least period of a building on isolators \[s\]; usual ones are 2 to 4 s.
+const ISOLATORS_PERIOD: f64 = 1.5;
 
 /// Largest number of storeys of a building.
 const MOST_STOREYS: usize = 200;
@@ -114,6 +130,7 @@ impl TryFrom<BuildingFile> for Building {
             let found = Refused::at("storeys").found(count.to_string()).allowed_are("1 to 200");
             return Err(found.help("`repeat` counts too"));
         }
+        words.check_isolation()?;
         let stiffnesses = words.stiffnesses()?;
         let mut storeys = Vec::with_capacity(count);
         for (index, (storey, stiffness)) in words.storeys.iter().zip(stiffnesses).enumerate() {
@@ -129,6 +146,17 @@ impl TryFrom<BuildingFile> for Building {
 }
 
 impl BuildingFile {
+    /// Refuses an isolation layer that is not the lowest storey alone.
+    fn check_isolation(&self) -> Result<(), Refused> {
+        let mut storeys = self.storeys.iter().enumerate();
+        let above = storeys.find(|(index, one)| one.isolation_layer == Some(true) && (*index > 0 || one.repeat > 1));
+        above.map_or(Ok(()), |(index, _)| {
+            let found = Refused::at(format!("storeys[{index}].isolation_layer")).found("true above the lowest storey");
+            let allowed = found.allowed("the lowest storey of a building, once");
+            Err(allowed.help("give the isolators an entry of their own, the first of `storeys`"))
+        })
+    }
+
     /// Stiffness of every storey in the list \[N/m\].
     fn stiffnesses(&self) -> Result<Vec<f64>, Refused> {
         let given = self.storeys.iter().map(|one| one.stiffness_n_per_m);
@@ -189,6 +217,11 @@ impl StoreyFile {
             mass_kg: self.mass_kg,
             height_m: self.height_m,
             columns: words.columns(stiffness)?,
+            capacities: Capacities {
+                isolation_layer: self.isolation_layer,
+                drift_capacity_ratio: self.drift_capacity_ratio,
+                shear_capacity_n: self.shear_capacity_n,
+            },
             initial_displacement_m: self.initial_displacement_m,
             initial_velocity_m_per_s: self.initial_velocity_m_per_s,
         })
@@ -218,6 +251,9 @@ impl Building {
             hardening_ratio: None,
             bouc_wen: None,
             height_m: *height_m,
+            isolation_layer: None,
+            drift_capacity_ratio: None,
+            shear_capacity_n: None,
             initial_displacement_m: 0.0,
             initial_velocity_m_per_s: 0.0,
             repeat: 1,
@@ -257,6 +293,41 @@ impl Building {
             SolverDamping::Ratio(_) => (damping.coefficient(storey.mass_kg, storey.columns.stiffness_n_per_m), 0.0),
         };
         self.storeys.iter().map(of).collect()
+    }
+
+    /// Factor α of the damping that is proportional to mass \[1/s\]: dashpots between every floor and the ground; 0 for a building of one
+    /// storey, whose damping is that of the storey.
+    pub(crate) fn mass_damping(&self) -> f64 {
+        match self.rayleigh() {
+            SolverDamping::Rayleigh { alpha, .. } if self.storeys.len() > 1 => alpha,
+            SolverDamping::Rayleigh { .. } | SolverDamping::Ratio(_) => 0.0,
+        }
+    }
+
+    /// First period \[s\] of the building with these stiffnesses of its storeys \[N/m\], from the ground up.
+    pub(crate) fn period_with(&self, stiffnesses: &[f64]) -> Option<f64> {
+        let storeys = self.storeys.iter().zip(stiffnesses);
+        let storeys: Vec<_> = storeys.map(|(one, stiffness)| undamped(one.mass_kg, *stiffness)).collect();
+        modes(&storeys).ok()?.first().map(Mode::period)
+    }
+
+    /// The period \[s\] of the lowest storey under the rigid building, and how many times softer it is than the storey above, if it looks
+    /// like isolators: softer than a fifth, with a period of 1.5 s or more by its stiffness after yielding.
+    pub(crate) fn looks_isolated(&self) -> Option<(f64, f64)> {
+        let [lowest, above, ..] = &self.storeys[..] else {
+            return None;
+        };
+        let softer = above.columns.stiffness_n_per_m / lowest.columns.stiffness_n_per_m;
+        let mass: f64 = self.storeys.iter().map(|one| one.mass_kg).sum();
+        let after = lowest.columns.hardening_ratio.filter(|ratio| *ratio > 0.0).unwrap_or(1.0);
+        let period = 2.0 * std::f64::consts::PI * (mass / (after * lowest.columns.stiffness_n_per_m)).sqrt();
+        (softer > ISOLATORS_SOFTER && period >= ISOLATORS_PERIOD).then_some((period, softer))
+    }
+
+    /// Whether its lowest storey is told to stand for isolators, or looks like them and is not told to be none.
+    pub(crate) fn may_be_isolated(&self) -> bool {
+        let told = self.storeys.first().and_then(|one| one.capacities.isolation_layer);
+        told.unwrap_or_else(|| self.looks_isolated().is_some())
     }
 
     /// Rayleigh damping of all storeys; a damping ratio for a building of one storey.

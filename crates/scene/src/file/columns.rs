@@ -33,6 +33,20 @@ impl Columns {
     }
 }
 
+/// What a scene says of a storey besides its mechanics: it changes how results are judged, and no number of a run.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize)]
+pub struct Capacities {
+    /// Whether the lowest storey stands for isolators, which have no limits of columns; absent if the scene does not say.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub isolation_layer: Option<bool>,
+    /// Drift over the height of the storey that its columns bear \[–\], > 0; replaces the general limits of ductile construction.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub drift_capacity_ratio: Option<f64>,
+    /// Shear force that the columns bear \[N\], > 0.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub shear_capacity_n: Option<f64>,
+}
+
 /// Shape of smooth yielding: dz/dd = 1 − |z/`u_y`|ⁿ (γ + β sgn(z ḋ)), γ = 1 − β.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]

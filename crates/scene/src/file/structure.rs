@@ -10,7 +10,7 @@ use serde_json::json;
 
 use super::Building;
 use super::choice::{self, Choice, also};
-use super::columns::{BoucWen, Columns, ColumnsFile, positive};
+use super::columns::{BoucWen, Capacities, Columns, ColumnsFile, positive};
 use crate::Damping;
 
 /// A structure or a wall of a row.
@@ -145,6 +145,9 @@ pub struct Sdof {
     /// neighbours of the same height. Beside a building it decides which floors face each other.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub height_m: Option<f64>,
+    /// What the scene says of the limits of the structure.
+    #[serde(flatten)]
+    pub capacities: Capacities,
     /// Displacement at t = 0 \[m\].
     #[serde(skip_serializing_if = "super::is_zero")]
     pub initial_displacement_m: f64,
@@ -182,6 +185,12 @@ pub struct SdofFile {
     /// Height of the mass above the ground \[m\], > 0. Drift ratios need it, and Eurocode 8, which takes 0.7 of the width of a gap between
     /// neighbours of the same height. Beside a building it decides which floors face each other.
     pub(super) height_m: Option<f64>,
+    /// Whether the structure stands on isolators, which have no limits of columns.
+    isolation_layer: Option<bool>,
+    /// Displacement over `height_m` that the columns bear \[–\], > 0; by default that of ductile construction, 0.025 and a ductility of 6.
+    drift_capacity_ratio: Option<f64>,
+    /// Shear force that the columns bear \[N\], > 0; by default it is not judged.
+    shear_capacity_n: Option<f64>,
     /// Displacement at t = 0 \[m\].
     #[serde(default)]
     pub(super) initial_displacement_m: f64,
@@ -240,6 +249,11 @@ impl SdofFile {
             hardening_ratio: columns.hardening_ratio,
             bouc_wen: columns.bouc_wen,
             height_m: self.height_m,
+            capacities: Capacities {
+                isolation_layer: self.isolation_layer,
+                drift_capacity_ratio: self.drift_capacity_ratio,
+                shear_capacity_n: self.shear_capacity_n,
+            },
             initial_displacement_m: self.initial_displacement_m,
             initial_velocity_m_per_s: self.initial_velocity_m_per_s,
         }

@@ -2,11 +2,13 @@
 
 pub(crate) mod certificate;
 pub(crate) mod certified;
+pub(crate) mod dampers;
 pub(crate) mod free_collision;
 pub(crate) mod implausible;
 pub(crate) mod lean;
 pub(crate) mod limits;
 pub(crate) mod response;
 pub(crate) mod review;
+mod sentences;
 mod unwatched;
 pub(crate) mod warning;

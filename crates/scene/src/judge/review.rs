@@ -92,6 +92,7 @@ impl Simulation {
         let asked = Extras {
             interval,
             closings: true,
+            drift_rates: true,
             ..Extras::default()
         };
         let AuditedRun { outcome, broken, balance } = self.audited_with(asked)?;

@@ -14,6 +14,7 @@ impl Simulation {
         let mut columns = 0;
         let judged = |one: UnwatchedFloor| {
             let kind = match contacts {
+                Some(_) if one.is_at_ground() => ExcessKind::AtFoot,
                 None => ExcessKind::BesideColumn,
                 Some(_) if one.is_level() => ExcessKind::LeftOut,
                 Some(_) => ExcessKind::AtColumn,
@@ -30,11 +31,16 @@ impl Simulation {
                 floor: one.floor,
                 name: floors.all()[one.floor].name.clone(),
                 found: closing.map_or_else(|| one.together(result, &openings), |closing| closing.distance) - gap,
+                capacity: None,
                 often: None,
             }
         };
-        let all = floors.unwatched().into_iter().map(judged);
-        all.filter(|one| one.found >= 0.0).collect()
+        let all = floors.unwatched().into_iter();
+        // Without a contact nothing says where the foot of a neighbour is.
+        let all = all.map(|one| (one.is_at_ground() && contacts.is_none(), judged(one)));
+        all.filter(|(skipped, one)| !skipped && one.found >= 0.0)
+            .map(|(_, one)| one)
+            .collect()
     }
 }
 

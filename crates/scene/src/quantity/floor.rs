@@ -21,7 +21,7 @@ quantities! {
         absolute: Some("peak_displacement_time_s"),
         ..QuantityEntry::instant(|run, floor| Some(run.peaks(floor)?.displacement.time))
     };
-    PeakShearForceN("peak_shear_force_n", "Shear force of largest magnitude.") =
+    PeakShearForceN("peak_shear_force_n", "Shear force of largest magnitude, of the columns alone: the force of the damper is not in it.") =
         QuantityEntry::new(&Unit::NEWTON, "Peak shear", |run, floor| Some(run.peaks(floor)?.restoring_force.value))
             .kind(QuantityKind::Peak).measured(QuantityGroup::Force, "shear force");
     #[serde(skip_deserializing)]
@@ -59,6 +59,15 @@ quantities! {
         error_of: Some(FloorQuantity::PeakDriftM),
         ..QuantityEntry::new(&Unit::PART, "Drift ratio", |run, floor| run.floor(floor).drift_ratio(run.peaks(floor)?.drift().value))
     };
+    #[serde(skip_deserializing)]
+    BaseShearRatio("base_shear_ratio", "Peak shear force of the lowest storey over the weight of its structure.") =
+        QuantityEntry::new(&Unit::ONE, "V/W", |run, floor| run.base_shear(floor));
+    #[serde(skip_deserializing)]
+    DamperForceRatio("damper_force_ratio", "Peak force of the damper of the storey over its yield force; only of columns that can yield.") =
+        QuantityEntry::new(&Unit::PART, "Damper / yield", |run, floor| run.damper_force(floor));
+    #[serde(skip_deserializing)]
+    MassDampingRatio("mass_damping_ratio", "Damping ratio of the mass-proportional damping at the period of the secant stiffnesses; of a building, with its lowest storey.") =
+        QuantityEntry::new(&Unit::PART, "Mass damping", |run, floor| run.mass_damping(floor));
     TransferredMomentumNS("transferred_momentum_n_s", "Sum of the impulses from the neighbours, by magnitude.") = QuantityEntry {
         least: |run, _| run.least_momentum(),
         ..QuantityEntry::new(&Unit::NEWTON_SECOND, "Transferred momentum", |run, floor| Some(run.result.momentum.of(floor)))

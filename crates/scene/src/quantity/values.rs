@@ -1,5 +1,7 @@
 //! A run with its simulation, from which the table takes its values.
 
+use std::sync::OnceLock;
+
 use pounding_solver::{Peak, StructurePeaks};
 
 use super::{Quantity, QuantityKind};
@@ -11,6 +13,8 @@ pub struct RunValues<'a> {
     pub(crate) simulation: &'a Simulation,
     pub(crate) result: &'a RunResult,
     pairs: Vec<PairOutcome>,
+    /// Peak forces of dampers \[N\], found when one is asked for.
+    dampers: OnceLock<Vec<f64>>,
 }
 
 impl RunResult {
@@ -21,6 +25,7 @@ impl RunResult {
             simulation,
             result: self,
             pairs: pairs.map(|pair| self.of_pair(pair)).collect(),
+            dampers: OnceLock::new(),
         }
     }
 }
@@ -105,6 +110,25 @@ impl RunValues<'_> {
     pub(crate) fn last(&self, floor: usize) -> f64 {
         // The sum removes the sign of a negative zero.
         self.result.last.of(floor).displacement + 0.0
+    }
+
+    /// Peak shear force of the lowest storey over the weight of its structure \[–\]; `None` for other storeys.
+    pub(crate) fn base_shear(&self, floor: usize) -> Option<f64> {
+        self.simulation.base_shear(self.result, floor)
+    }
+
+    /// Peak force of the damper of a storey over its yield force \[–\]; `None` for elastic columns, and if it was not recorded.
+    pub(crate) fn damper_force(&self, floor: usize) -> Option<f64> {
+        let yield_force = self.floor(floor).made_of?.columns.yield_force_n?;
+        let forces = self.dampers.get_or_init(|| self.simulation.damper_forces(self.result));
+        Some(forces.get(floor)? / yield_force)
+    }
+
+    /// Damping ratio of the mass term at the secant period \[–\]; `None` for all but the lowest storey of a building.
+    pub(crate) fn mass_damping(&self, floor: usize) -> Option<f64> {
+        let lowest = self.below(floor).is_none();
+        let of = || self.simulation.mass_damping(self.result, self.floor(floor).structure);
+        Some(lowest.then(of)??.ratio)
     }
 
     /// Collisions of a pair.

@@ -9,7 +9,7 @@ use pounding_text::Refused;
 use levels::elevations;
 pub use unwatched::UnwatchedFloor;
 
-use crate::{Columns, Error, Property, Scene, Sdof, Structure};
+use crate::{Capacities, Columns, Error, Property, Scene, Sdof, Structure};
 
 /// Largest difference between heights of floors that count as equal \[m\].
 pub(crate) const EQUAL_HEIGHTS: f64 = 1e-3;
@@ -58,6 +58,8 @@ pub struct StoreyProperties {
     pub columns: Columns,
     /// Height of the storey \[m\], where it is known.
     pub height_m: Option<f64>,
+    /// What the scene says of the limits of the storey.
+    pub capacities: Capacities,
     /// Displacement of the floor at t = 0 \[m\].
     pub initial_displacement_m: f64,
     /// Velocity of the floor at t = 0 \[m/s\].
@@ -98,6 +100,11 @@ impl Floor {
         self.made_of.and_then(force).is_some()
     }
 
+    /// Whether its storey is told to stand for isolators.
+    pub fn is_isolation_layer(&self) -> bool {
+        self.made_of.is_some_and(|made| made.capacities.isolation_layer == Some(true))
+    }
+
     /// Ductility demand \[–\] of a drift \[m\]; `None` for columns that stay elastic.
     pub fn ductility(&self, drift: f64) -> Option<f64> {
         let columns = self.made_of?.columns;
@@ -117,6 +124,7 @@ impl StoreyProperties {
             mass_kg: sdof.mass_kg,
             columns: sdof.columns(),
             height_m: sdof.height_m,
+            capacities: sdof.capacities,
             initial_displacement_m: sdof.initial_displacement_m,
             initial_velocity_m_per_s: sdof.initial_velocity_m_per_s,
         }
@@ -182,6 +190,12 @@ impl Floors {
     /// Indices of the floors of a structure, from the ground up.
     pub fn of_structure(&self, structure: usize) -> &[usize] {
         self.levels.of(structure)
+    }
+
+    /// Whether a structure is told to stand on isolators.
+    pub fn is_isolated(&self, structure: usize) -> bool {
+        let mut own = self.of_structure(structure).iter();
+        own.any(|floor| self.all[*floor].is_isolation_layer())
     }
 
     /// Indices of every floor, structure by structure from the left, each from the ground up.
@@ -287,6 +301,7 @@ fn floor(scene: &Scene, levels: &Levels, node: usize) -> Floor {
                     mass_kg: one.mass_kg,
                     columns: one.columns,
                     height_m: one.height_m,
+                    capacities: one.capacities,
                     initial_displacement_m: one.initial_displacement_m,
                     initial_velocity_m_per_s: one.initial_velocity_m_per_s,
                 }),

@@ -3,8 +3,8 @@
 use std::ops::Range;
 
 use pounding_solver::{
-    BesideColumn, Clock, Closings, Collisions, Excitation, FloorAccelerations, Histories, Integrator, LastStates, Ledger, LedgerError, OnRow, Opening,
-    Pair, Peak, Peaks, Recorders, RunError, Terms, TransferredMomentum, Travel, Work,
+    BesideColumn, Clock, Closings, Collisions, DriftRates, Excitation, FloorAccelerations, Histories, Integrator, LastStates, Ledger,
+    LedgerError, OnRow, Opening, Pair, Peak, Peaks, Recorders, RunError, Terms, TransferredMomentum, Travel, Work,
 };
 
 use super::Simulation;
@@ -30,6 +30,8 @@ pub struct RunResult {
     pub last: LastStates,
     /// Largest closing between neighbours; `None` if it was not asked for.
     pub closings: Option<Closings>,
+    /// Peak drift rates of every storey; `None` if they were not asked for.
+    pub drift_rates: Option<DriftRates>,
     /// Histories of every structure; `None` if they were not asked for.
     pub histories: Option<Histories>,
     /// Work of the run.
@@ -67,6 +69,8 @@ pub struct Extras {
     pub closings: bool,
     /// Largest closing under mirrored shaking; see [`Closings::both_ways`].
     pub reversed_closings: bool,
+    /// Peak drift rates, from which the forces of dampers follow.
+    pub drift_rates: bool,
 }
 
 impl Extras {
@@ -75,6 +79,7 @@ impl Extras {
         interval: None,
         closings: true,
         reversed_closings: false,
+        drift_rates: false,
     };
 }
 
@@ -89,6 +94,7 @@ impl RunResult {
             accelerations: accelerations.unwrap_or_default(),
             last: recorders.last.unwrap_or_else(|| LastStates::new(0)),
             closings: recorders.closings,
+            drift_rates: recorders.drift_rates,
             histories: recorders.histories,
             work,
         }
@@ -193,6 +199,7 @@ impl Simulation {
             accelerations: Some(accelerations.travelled(self.travel().as_ref())),
             last: Some(LastStates::new(n)),
             closings: asked.closings.then(closings),
+            drift_rates: asked.drift_rates.then(|| DriftRates::new(n)),
             histories: asked.interval.map(|interval| Histories::new(n, interval, duration)),
             ..self.usual_recorders()
         }

@@ -2,7 +2,7 @@
 
 use pounding_contact::{Calibration, ContactLaw, FreePair, LawName};
 use pounding_scene::file::RunBudget;
-use pounding_scene::{Contact, Damping, FileUse, Method, RecordUse, RunResult, Scene, Sdof, Simulation, Source, Structure};
+use pounding_scene::{Capacities, Contact, Damping, FileUse, Method, RecordUse, RunResult, Scene, Sdof, Simulation, Source, Structure};
 use proptest::prelude::*;
 
 /// Structures with and without optional properties.
@@ -27,6 +27,7 @@ fn structure() -> impl Strategy<Value = Sdof> {
             bouc_wen: None,
             yield_force_n: yields.map(|displacement| displacement * stiffness),
             height_m: None,
+            capacities: Capacities::default(),
             initial_displacement_m: 0.0,
             initial_velocity_m_per_s: velocity,
         }
@@ -115,11 +116,12 @@ fn bits(outcome: &RunResult) -> String {
         accelerations,
         last,
         closings,
+        drift_rates,
         histories,
         work: _,
     } = outcome;
     format!(
-        "{peaks:?} {:?} {momentum:?} {accelerations:?} {last:?} {closings:?} {histories:?}",
+        "{peaks:?} {:?} {momentum:?} {accelerations:?} {last:?} {closings:?} {drift_rates:?} {histories:?}",
         collisions.all()
     )
 }

@@ -153,7 +153,11 @@ impl Closings {
             let on_ground = travel.is_some() && column.below.is_none() && structure == column.above;
             let both = [self.gaps.get_mut(first + index), self.reversed.get_mut(first + index)];
             for gap in both.into_iter().flatten() {
-                let piece = if on_ground { column.on_ground(piece.cubic, travel).into() } else { piece.clone() };
+                let piece = if on_ground {
+                    column.on_ground(piece.cubic, travel).into()
+                } else {
+                    piece.clone()
+                };
                 gap.follow(part, piece);
             }
         }

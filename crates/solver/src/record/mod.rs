@@ -2,6 +2,7 @@
 
 pub(crate) mod closings;
 mod collisions;
+mod drift_rates;
 mod floor_accelerations;
 mod histories;
 mod last_states;
@@ -14,6 +15,7 @@ mod transferred_momentum;
 pub use closings::{BesideColumn, Closing, Closings};
 pub use collisions::is_plastic;
 pub use collisions::{Collision, Collisions};
+pub use drift_rates::DriftRates;
 pub use floor_accelerations::FloorAccelerations;
 pub use histories::{Histories, History};
 pub use last_states::LastStates;

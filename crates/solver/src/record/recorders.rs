@@ -1,7 +1,7 @@
 //! All results that runs can be asked for, in a single recorder.
 
 use crate::{
-    Closings, Collisions, FloorAccelerations, Histories, Impact, LastStates, Ledger, Pair, Peaks, Recorder, Span, Touch,
+    Closings, Collisions, DriftRates, FloorAccelerations, Histories, Impact, LastStates, Ledger, Pair, Peaks, Recorder, Span, Touch,
     TransferredMomentum,
 };
 
@@ -23,6 +23,8 @@ pub struct Recorders<'l, 'a> {
     pub last: Option<LastStates>,
     /// Largest closing of neighbours, if requested.
     pub closings: Option<Closings>,
+    /// Peak drift rates of every storey, if requested.
+    pub drift_rates: Option<DriftRates>,
     /// Histories of every structure, if requested.
     pub histories: Option<Histories>,
     /// Energy and impulses, if requested.
@@ -39,6 +41,7 @@ impl Recorders<'_, '_> {
             accelerations: None,
             last: None,
             closings: None,
+            drift_rates: None,
             histories: None,
             ledger: None,
         }
@@ -47,7 +50,8 @@ impl Recorders<'_, '_> {
     fn all(&mut self) -> impl Recorder {
         let usual = (&mut self.peaks, &mut self.collisions, &mut self.momentum);
         let asked = (&mut self.ledger, &mut self.accelerations, &mut self.last);
-        (usual, asked, &mut self.closings, &mut self.histories)
+        let more = (&mut self.closings, &mut self.drift_rates);
+        (usual, asked, more, &mut self.histories)
     }
 }
 

@@ -5,7 +5,7 @@ use std::fmt;
 use pounding_motion::Record;
 use serde::{Deserialize, Serialize};
 
-use pounding_scene::{Building, Columns, Damping, FloorHeights, Scene, Sdof, Storey, Structure};
+use pounding_scene::{Building, Capacities, Columns, Damping, FloorHeights, Scene, Sdof, Storey, Structure};
 
 /// A change under which the paper's claims are tested again.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
@@ -97,6 +97,7 @@ fn building(sdof: &Sdof, count: usize) -> Building {
         Storey {
             mass_kg: sdof.mass_kg / count as f64,
             height_m: sdof.height_m.map(|height| height / count as f64),
+            capacities: Capacities::default(),
             columns: columns(storey),
             initial_displacement_m: height * sdof.initial_displacement_m,
             initial_velocity_m_per_s: height * sdof.initial_velocity_m_per_s,
@@ -123,6 +124,7 @@ mod tests {
             hardening_ratio: None,
             bouc_wen: None,
             height_m: None,
+            capacities: Capacities::default(),
             initial_displacement_m: 0.0,
             initial_velocity_m_per_s: 0.0,
         }

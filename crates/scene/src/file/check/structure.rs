@@ -4,7 +4,7 @@ use pounding_text::Refused;
 use std::fmt::{self, Display};
 
 use super::{FINITE, NOT_NEGATIVE, POSITIVE, named, require};
-use crate::{Building, Columns, Damping, Sdof, Structure};
+use crate::{Building, Capacities, Columns, Damping, Sdof, Structure};
 
 /// A structure, or a storey of it, whose fields have names.
 #[derive(Debug, Clone, Copy)]
@@ -70,6 +70,7 @@ fn check_sdof(structure: &Sdof, place: FieldPlace) -> Result<(), Refused> {
                    side of it, give one";
     require(found >= 0.0, place.field("damping.two_frequencies"), found, allowed)?;
     check_height(structure.height_m, place)?;
+    check_capacities(&structure.capacities, structure.height_m, place)?;
     check_yielding(&columns, place)?;
     check_start(structure.initial_displacement_m, structure.initial_velocity_m_per_s, place)
 }
@@ -84,6 +85,7 @@ fn check_building(building: &Building, place: FieldPlace) -> Result<(), Refused>
         require(storey.mass_kg > 0.0, place.field("mass_kg"), storey.mass_kg, POSITIVE)?;
         check_stiffness(&storey.columns, place)?;
         check_height(storey.height_m, place)?;
+        check_capacities(&storey.capacities, storey.height_m, place)?;
         check_yielding(&storey.columns, place)?;
         check_start(storey.initial_displacement_m, storey.initial_velocity_m_per_s, place)?;
     }
@@ -124,6 +126,21 @@ fn check_stiffness(columns: &Columns, place: FieldPlace) -> Result<(), Refused> 
 fn check_height(height: Option<f64>, place: FieldPlace) -> Result<(), Refused> {
     let Some(height) = height else { return Ok(()) };
     require(height > 0.0, place.field("height_m"), height, POSITIVE)
+}
+
+fn check_capacities(told: &Capacities, height: Option<f64>, place: FieldPlace) -> Result<(), Refused> {
+    if let Some(ratio) = told.drift_capacity_ratio {
+        let field = place.field("drift_capacity_ratio");
+        require(ratio > 0.0, field, ratio, POSITIVE)?;
+        require(
+            height.is_some(),
+            field,
+            ratio,
+            "a capacity of a storey with height_m, of which it is a part",
+        )?;
+    }
+    let force = told.shear_capacity_n.unwrap_or(1.0);
+    require(force > 0.0, place.field("shear_capacity_n"), force, POSITIVE)
 }
 
 fn check_yielding(columns: &Columns, place: FieldPlace) -> Result<(), Refused> {

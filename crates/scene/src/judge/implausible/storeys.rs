@@ -4,7 +4,7 @@ use pounding_solver::Mode;
 
 use super::Doubts;
 use crate::{Building, Columns};
-use pounding_text::{digits, percent, short};
+use pounding_text::{digits, percent, short, two_digits};
 
 /// Usual drift ratios at which columns yield \[–\]: from stiff walls to isolators under a low crawl space.
 const YIELDS: std::ops::RangeInclusive<f64> = 5e-4..=0.05;
@@ -45,6 +45,25 @@ pub(super) fn doubt(index: usize, building: &Building, doubts: &mut Doubts) {
         doubt_the_yielding(&place("yield_drift_ratio"), &one.columns, one.height_m, doubts);
     }
     doubt_the_period(index, building, doubts);
+    ask_for_isolators(index, building, doubts);
+}
+
+/// Asks whether a lowest storey that looks like isolators stands for them: limits of columns do not hold for it then.
+fn ask_for_isolators(index: usize, building: &Building, doubts: &mut Doubts) {
+    let told = building.storeys.first().and_then(|one| one.capacities.isolation_layer);
+    let Some((period, softer)) = building.looks_isolated().filter(|_| told.is_none()) else {
+        return;
+    };
+    doubts.unless(
+        false,
+        format!("structures[{index}].building.storeys[0]"),
+        format!(
+            "a storey {} times softer than the next, with a period of {} s under the building, judged as columns",
+            two_digits(softer),
+            two_digits(period)
+        ),
+        "`isolation_layer = true` if it stands for isolators, false if it does not",
+    );
 }
 
 /// Notes an initial displacement \[m\] or velocity \[m/s\] that no earthquake causes.

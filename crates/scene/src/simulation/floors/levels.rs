@@ -105,7 +105,9 @@ pub(super) fn elevations(structure: &Structure) -> Option<Vec<f64>> {
         Structure::Building(building) => {
             let mut top = 0.0;
             let heights = building.storeys.iter().map(|storey| {
-                top += storey.height_m?;
+                // Without a height isolators have their base slab at the ground.
+                let at_ground = || (storey.capacities.isolation_layer == Some(true)).then_some(0.0);
+                top += storey.height_m.or_else(at_ground)?;
                 Some(top)
             });
             heights.collect()
@@ -175,7 +177,8 @@ fn check_heights(scene: &Scene, elevations: &[Option<Vec<f64>>], contact: usize,
             let mut others = others.iter();
             others.any(|other| (height - other).abs() <= EQUAL_HEIGHTS)
         };
-        let mut below = own.iter().filter(|height| **height <= lower);
+        // What faces a base slab at the ground is the foot of its neighbour, no column.
+        let mut below = own.iter().filter(|height| **height > 0.0 && **height <= lower);
         if let Some(height) = below.find(|height| !faces(height)) {
             let [own, other] = names(scene, [structure, 2 * contact + 1 - structure]);
             let heights: Vec<_> = others.iter().map(|height| digits(*height)).collect();

@@ -22,6 +22,11 @@ impl UnwatchedFloor {
     pub fn is_level(&self) -> bool {
         self.along >= 1.0
     }
+
+    /// Whether it is a base slab at the ground, which faces the foot of its neighbour.
+    pub(crate) fn is_at_ground(&self) -> bool {
+        self.along <= 0.0
+    }
 }
 
 impl Floors {
@@ -96,7 +101,11 @@ impl Floors {
     /// A sentence about the floors of a gap that face columns; `None` if there are none.
     pub fn says_columns(&self, gap: usize) -> Option<String> {
         let all = self.unwatched_in(gap);
-        let names: Vec<&str> = all.iter().filter(|one| !one.is_level()).map(|one| self.all[one.floor].name.as_str()).collect();
+        let names: Vec<&str> = all
+            .iter()
+            .filter(|one| !one.is_level())
+            .map(|one| self.all[one.floor].name.as_str())
+            .collect();
         let first = names.first()?;
         let floors = match names.len() {
             1 => format!("{first} faces a column of its neighbour"),
@@ -112,7 +121,8 @@ impl Floors {
         let sides = [gap, gap + 1];
         let are_walls = sides.map(|one| self.of_structure(one).iter().any(|floor| self.all[*floor].is_wall()));
         let known = sides.map(|one| self.heights_of(one).is_some());
-        (known == [true; 2] || self.told_level) && are_walls == [false; 2] && self.beside_columns(gap).is_empty()
+        let faces_none = self.beside_columns(gap).iter().all(UnwatchedFloor::is_at_ground);
+        (known == [true; 2] || self.told_level) && are_walls == [false; 2] && faces_none
     }
 
     /// Heights of the floors of a structure, from the ground up; `None` if some are unknown, and for a wall.

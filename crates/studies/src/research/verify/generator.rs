@@ -9,7 +9,7 @@ use super::random::Random;
 use super::written::rewritten;
 use pounding_scene::file::Stochastic;
 use pounding_scene::file::{BoucWen, Ground, RunBudget, ScaleTo};
-use pounding_scene::{Building, Columns, Contact, Damping, FileUse, FloorHeights, Generated, Method, RecordUse};
+use pounding_scene::{Building, Capacities, Columns, Contact, Damping, FileUse, FloorHeights, Generated, Method, RecordUse};
 use pounding_scene::{Scene, Sdof, Source, Storey, Structure};
 
 /// Largest number of storeys of a building.
@@ -132,6 +132,7 @@ fn building(random: &mut Random, name: String, low: bool) -> Structure {
         all.push(Storey {
             mass_kg: if below < storeys { mass } else { roof * mass },
             height_m: None,
+            capacities: Capacities::default(),
             columns: kind.columns(random, mass * rate * rate * part),
             initial_displacement_m: 0.0,
             initial_velocity_m_per_s: 0.0,
@@ -158,6 +159,7 @@ fn sdof(random: &mut Random, name: String) -> Sdof {
         hardening_ratio: columns.hardening_ratio,
         bouc_wen: columns.bouc_wen,
         height_m: None,
+        capacities: Capacities::default(),
         initial_displacement_m: 0.0,
         initial_velocity_m_per_s: 0.0,
     }

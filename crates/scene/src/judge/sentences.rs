@@ -1,0 +1,154 @@
+//! Sentences about responses beyond the model or the limits of codes.
+
+use std::fmt::{self, Display, Formatter};
+
+use pounding_text::{percent, short};
+
+use super::response::{Excess, ExcessKind};
+use crate::Floors;
+
+impl Display for Excess {
+    fn fmt(&self, to: &mut Formatter<'_>) -> fmt::Result {
+        write!(to, "{}: {}", self.name, self.says())
+    }
+}
+
+impl Excess {
+    /// Describes the response in a sentence, with the number of runs that have it.
+    fn says(&self) -> String {
+        let found = self.found;
+        let worst = match self.often() {
+            often if often.is_empty() => often,
+            often => format!("{often}, at worst "),
+        };
+        let said = match self.kind {
+            kind if kind.is_unwatched() => return self.says_unwatched(),
+            ExcessKind::Displacement => format!(
+                "drift of {} m: more than 2.5 % of any usual storey; give height_m, and look at the scale of the record",
+                short(found)
+            ),
+            ExcessKind::Stability => gravity(found),
+            ExcessKind::Drift => match self.capacity {
+                Some(capacity) => format!(
+                    "drift of {} of the storey height, above its capacity of {}: columns that lose strength, which the model leaves out, decide",
+                    percent(found),
+                    percent(capacity)
+                ),
+                None => format!(
+                    "drift of {} of the storey height, above 2.5 % (NBCC 2015, 4.1.8.13): columns that lose strength, which the model leaves \
+                     out, decide. {DUCTILE}",
+                    percent(found)
+                ),
+            },
+            ExcessKind::Ductility => format!(
+                "ductility demand of {}, above 6: columns lose strength, which the model leaves out. {DUCTILE}",
+                short(found)
+            ),
+            ExcessKind::Shear => format!(
+                "shear force of {} kN, above its capacity of {} kN: the storey fails before it does what the model says",
+                short(1e-3 * found),
+                short(1e-3 * self.capacity.unwrap_or_default())
+            ),
+            ExcessKind::MassDamping => format!(
+                "the mass term of its damping is {} of critical at the period of the peak drifts, above 1 %: dashpots between the floors and \
+                 the ground, which no building on isolators has, hold it back and lessen its blows; give damping.rayleigh with \
+                 alpha_per_s = 0",
+                percent(found)
+            ),
+            ExcessKind::ResidualDrift => format!(
+                "drift of {} of the storey height left at the end, above 0.5 % (McCormick et al. 2008): realignment likely; the value depends \
+                 on the model of yielding",
+                percent(found)
+            ),
+            ExcessKind::BaseShear => format!(
+                "base shear of {} of the weight from columns that never yield in the model, above 0.4: unless the building was designed for \
+                 it, it would yield; give yield_force_n, or shear_capacity_n",
+                short(found)
+            ),
+            ExcessKind::DamperForce => format!(
+                "damper force of {} of the yield force, above 10 % (Hall 2006; Charney 2008): strength that no column has, and not in shear; the \
+                 damper does not soften when the columns yield, and a smaller damping ratio is nearer to the building",
+                percent(found)
+            ),
+            ExcessKind::AtColumn | ExcessKind::BesideColumn | ExcessKind::AtFoot | ExcessKind::LeftOut => String::new(),
+        };
+        format!("{worst}{said}")
+    }
+
+    /// A sentence about the largest drift ratio that is judged as of ductile construction because its storey has no capacity, from drifts
+    /// \[m\] of the floors; `None` if it harms no construction, or is beyond the limit and thus an excess.
+    pub fn says_assumed(floors: &Floors, drift: impl Fn(usize) -> f64) -> Option<String> {
+        let all = floors.all().iter().enumerate();
+        let assumed = all.filter(|(_, one)| {
+            let told = one.made_of.map(|made| made.capacities.drift_capacity_ratio);
+            told == Some(None) && !one.is_isolation_layer()
+        });
+        let ratios = assumed.filter_map(|(floor, one)| one.drift_ratio(drift(floor)));
+        let largest = ratios.reduce(f64::max)?;
+        (largest > BRITTLE && largest <= Self::MOST_DRIFT).then(|| {
+            format!(
+                "drifts of up to {} of the storey height are below 2.5 %, the limit of ductile construction, which is assumed: masonry and \
+                 non-ductile frames fail at 0.4 to 1 %; drift_capacity_ratio says what a storey bears",
+                percent(largest)
+            )
+        })
+    }
+
+    fn says_unwatched(&self) -> String {
+        let often = match self.often() {
+            often if often.is_empty() => often,
+            often => format!("{often} "),
+        };
+        let farther = short(1e3 * self.found);
+        match self.kind {
+            ExcessKind::LeftOut => format!(
+                "not looked at, because `levels` of the contact leaves them out; {often}both neighbours together may move up to {farther} mm \
+                 farther than the gap"
+            ),
+            ExcessKind::AtFoot => format!(
+                "its base slab at the ground faces the foot of its neighbour, where no contact is modelled; {often}it moves up to {farther} mm \
+                 farther than the gap"
+            ),
+            kind => format!(
+                "faces columns of its neighbour between floors; {often}both together may move up to {farther} mm{}: a floor that hits a column \
+                 can bring a building down, and is not modelled",
+                if kind == ExcessKind::AtColumn {
+                    " farther than the gap"
+                } else {
+                    ""
+                }
+            ),
+        }
+    }
+}
+
+/// Least drift ratio at which masonry fails \[–\]: EN 1998-3:2005, annex C, for walls in shear.
+const BRITTLE: f64 = 0.004;
+
+/// The assumption behind general limits of drift.
+const DUCTILE: &str =
+    "Ductile construction is assumed: masonry and non-ductile frames fail at 0.4 to 1 %; drift_capacity_ratio says what the storey bears";
+
+/// What gravity does at a stability coefficient θ = P Δ/(V h): of a perfectly plastic storey it leaves 1 − θ of the strength.
+fn gravity(found: f64) -> String {
+    let theta = format!("stability coefficient P Δ/(V h) = {}", short(found));
+    let [matters, most] = Excess::MOST_STABILITY;
+    let left = format!("{:.0} %", 100.0 * (1.0 - found));
+    if found >= 1.0 {
+        format!(
+            "{theta}, above the design limit of {most} (ASCE 7-16, 12.8.7): at this drift gravity, which the model leaves out, asks for at least the \
+             whole shear force of the storey, so that nothing is left against shaking; the drifts of this run cannot be relied on, and a run \
+             with gravity is needed"
+        )
+    } else if found > most {
+        format!(
+            "{theta}, above the design limit of {most} (ASCE 7-16, 12.8.7), which is no collapse: gravity, which the model leaves out, leaves \
+             {left} of the strength where the storey yields; a run with gravity is needed"
+        )
+    } else {
+        format!(
+            "{theta}, above {matters} (EN 1998-1:2004, 4.4.2.2): gravity, which the model leaves out, adds to the drift, and leaves {left} of the \
+             strength where the storey yields"
+        )
+    }
+}
