@@ -49,7 +49,8 @@ pub(crate) fn assess(
             method: Method::EXACT,
             ..given.scene()?
         };
-        let suite = suite_of(&folder, &scene)?;
+        let mut suite = suite_of(&folder, &scene)?;
+        let scaling = scaling.raised(&scene, &mut suite, None);
         let lines = MotionLines::of(
             &suite,
             &BOTH,

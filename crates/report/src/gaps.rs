@@ -1,6 +1,8 @@
 //! The widths that the gaps of a row need under a folder of records, for people and for programs.
 
-use pounding_assess::{RequiredGap, Rule, RuleAssessment, Separation};
+use std::collections::BTreeSet;
+
+use pounding_assess::{Case, RequiredGap, Rule, RuleAssessment, Separation, beyond_belief};
 use pounding_scene::{Error, Excess, Floors, Implausible, Scene, Simulation, Structure};
 use pounding_text::{Answer, Cell, Table, Where, digits, rounded_up, short};
 use serde_json::{Value, json};
@@ -13,6 +15,8 @@ pub struct GapsUnderMotion {
     separations: Vec<Separation>,
     /// Responses beyond the model, of the kinds that count for widths.
     cautions: Vec<Excess>,
+    /// The response that is farthest beyond belief; `None` if the widths are believed.
+    disbelieved: Option<Excess>,
     doubts: Vec<Implausible>,
 }
 
@@ -23,10 +27,12 @@ impl GapsUnderMotion {
     /// Errors of [`Separation::judged`].
     pub fn of(apart: &Simulation) -> Result<Self, Error> {
         let (separations, mut excesses) = Separation::judged(apart)?;
+        let disbelieved = beyond_belief(&excesses).cloned();
         excesses.retain(|one| one.kind.is_caution());
         Ok(Self {
             separations,
             cautions: excesses,
+            disbelieved,
             doubts: apart.doubts(),
         })
     }
@@ -132,13 +138,35 @@ fn of_gap<'a>(folder: &OfFolder<'a, GapsUnderMotion>, answer: Answer<'a>, gap: u
     let [one, other] = [left, left + 1].map(|index| scene.structures[index].name());
     let own = scene.contacts.as_ref().and_then(|contacts| contacts.get(left)).map(|own| own.gap_m);
     let in_scene = own.map_or_else(String::new, |own| format!(", {} mm in the scene", digits(own * 1e3)));
-    let all: Vec<_> = found.iter().map(|(line, one)| ([line.event, 0], *one)).collect();
-    let said = RequiredGap::of(&all).map_or_else(Vec::new, |all| result(&all, own));
+    let (all, not_counted) = believed(folder, gap);
+    let mut said = RequiredGap::of(&all).map_or_else(Vec::new, |all| result(&all, own));
+    said.extend(not_counted);
+    let others = scene.structures.len() > 2 && !all.is_empty();
+    said.extend(others.then(|| "a gap as wide stays open if every other gap of the row does, too".into()));
     let table = Table::of(found).shown("Record", |(line, _)| line.name());
     answer
         .say(Where::Terminal, "Gap", vec![format!("{one} – {other}{in_scene}")])
         .table(Where::Terminal, numbers(scene, table, |(_, one)| Some(*one)).grid())
         .say(Where::Terminal, "Result", said)
+}
+
+/// Returns the widths of the events under which every building stands alone within belief, and a sentence about the others.
+fn believed<'a>(folder: &OfFolder<'a, GapsUnderMotion>, gap: usize) -> (Vec<(Case, &'a Separation)>, Option<String>) {
+    let doubted = folder.found().filter_map(|(line, found)| Some((line, found.disbelieved.as_ref()?)));
+    let doubted: Vec<_> = doubted.collect();
+    let events: BTreeSet<usize> = doubted.iter().map(|(line, _)| line.event).collect();
+    let all = folder.found().filter(|(line, _)| !events.contains(&line.event));
+    let all = all.filter_map(|(line, found)| Some(([line.event, 0], found.separations.get(gap)?)));
+    let worst = beyond_belief(doubted.iter().map(|(_, excess)| *excess)).map(|worst| {
+        let n = events.len();
+        let s = if n == 1 { "" } else { "s" };
+        format!(
+            "{n} event{s} not counted: a building would come down even alone, whatever the gap ({}: {})",
+            worst.name,
+            worst.kind.brief(worst.found)
+        )
+    });
+    (all.collect(), worst)
 }
 
 /// Whether floors stand at several levels.
@@ -171,20 +199,21 @@ fn enough(width: f64) -> String {
 /// The width that is enough for all events, and whether the rules and the gap of the scene give it.
 fn result(all: &RequiredGap, own: Option<f64>) -> Vec<String> {
     let widths = &all.required;
-    let n = match widths.sorted().len() {
-        1 => "the only event".into(),
-        n => format!("all {n} events"),
-    };
+    let n = widths.sorted().len();
     let of = match all.beside_columns {
-        Some(_) => "floors that face floors in ",
+        Some(_) => " for floors that face floors",
         None => "",
     };
-    let mut lines = vec![format!(
-        "{} mm are enough for {of}{n}; {} mm for half of them, {} mm for 84 %",
-        enough(widths.largest()),
-        enough(widths.median()),
-        enough(widths.p84())
-    )];
+    let largest = enough(widths.largest());
+    let mut lines = vec![match n {
+        1 => format!("{largest} mm are enough{of} in the only event"),
+        n if widths.has_quantiles() => format!(
+            "{largest} mm are enough{of} in all {n} events; {} mm for half of them, {} mm for 84 %",
+            enough(widths.median()),
+            enough(widths.p84())
+        ),
+        n => format!("{largest} mm are enough{of} in all {n} events: the largest of so few"),
+    }];
     let beside = all.beside_columns;
     lines.extend(beside.map(|width| format!("floors beside columns may need {} mm, the sum of both peaks", enough(width))));
     lines.extend(own.map(|own| {
