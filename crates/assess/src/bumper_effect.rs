@@ -30,8 +30,8 @@ pub struct BumperEffect {
     /// Number of runs that compress a bumper by more than its thickness. In reality the two floors would then hit each other; the model
     /// leaves this collision out, so that the run has no result.
     pub too_thin: usize,
-    /// Ratio of the peak force of a pair with bumpers to its peak force without \[–\], where the latter is known. The force with bumpers is 0
-    /// if nothing touches.
+    /// Ratio of the largest force of a gap with bumpers to its largest force without \[–\], where the latter is known. The force with bumpers
+    /// is 0 if nothing touches.
     pub force: Option<Distribution>,
     /// Ratio of the peak drift with bumpers to the peak drift without bumpers \[–\]. It includes every storey of the buildings that are hit.
     pub drift: Distribution,
@@ -56,8 +56,6 @@ pub struct FloorBumperEffect {
 /// Effect of a bumper on a pair.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PairBumperEffect {
-    /// Ratio of the peak force with bumpers to that without \[–\]. It is `None` for an impulsive law.
-    pub force: Option<Distribution>,
     /// Peak force in every case in which the pair touches without bumpers \[N\]. It is `None` for an impulsive law.
     pub force_without: Option<Distribution>,
     /// Peak force with bumpers in every case in which the pair touches without bumpers \[N\]. It is `None` if no run has a force.
@@ -69,8 +67,8 @@ pub struct PairBumperEffect {
 /// What bumpers make worse.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum BumperHarm {
-    /// The force of a pair, by its index.
-    Force(usize),
+    /// The largest force of a gap.
+    Force,
     /// The drift of the storey below a floor, by its index.
     Drift(usize),
     /// The acceleration of a floor, by its index.
@@ -94,9 +92,8 @@ impl BumperEffect {
                 (BumperHarm::Acceleration(floor), one.acceleration.largest()),
             ]
         });
-        let pairs = self.pairs.iter().enumerate();
-        let of_pairs = pairs.filter_map(|(pair, one)| Some((BumperHarm::Force(pair), one.as_ref()?.force.as_ref()?.largest())));
-        let worst = of_floors.chain(of_pairs).max_by(|one, other| one.1.total_cmp(&other.1));
+        let force = self.force.iter().map(|force| (BumperHarm::Force, force.largest()));
+        let worst = of_floors.chain(force).max_by(|one, other| one.1.total_cmp(&other.1));
         worst.filter(|(_, ratio)| *ratio > FloorAssessment::WORSE)
     }
 
@@ -119,8 +116,7 @@ impl BumperEffect {
             let ratios = moving.iter().flat_map(|floor| compared.ratios(*floor, peak));
             Distribution::of_cases(ratios)
         };
-        let pairs: Vec<_> = (0..floors.facing().len()).map(|pair| compared.pair(pair)).collect();
-        let forces = (0..pairs.len()).flat_map(|pair| compared.forces(pair));
+        let forces = bumpers.iter().flat_map(|bumper| compared.forces(bumper.contact));
         Some(Self {
             bumpers: bumpers.to_vec(),
             runs: runs.len(),
@@ -131,7 +127,7 @@ impl BumperEffect {
             floors: (0..floors.all().len())
                 .map(|floor| moving.contains(&floor).then(|| compared.floor(floor))?)
                 .collect(),
-            pairs,
+            pairs: (0..floors.facing().len()).map(|pair| compared.pair(pair)).collect(),
         })
     }
 }
@@ -172,11 +168,14 @@ impl Compared<'_> {
         })
     }
 
-    /// Forces of a pair with bumpers over those without, where the latter are known.
-    fn forces(&self, pair: usize) -> Vec<(Case, f64)> {
+    /// Largest forces of a gap with bumpers over those without, where the latter are known.
+    fn forces(&self, contact: usize) -> Vec<(Case, f64)> {
+        let facing = self.floors.facing().iter().enumerate();
+        let own: Vec<usize> = facing.filter(|(_, one)| one.contact == contact).map(|(pair, _)| pair).collect();
         let ratios = self.runs.iter().filter_map(|one| {
-            let with = one.with.pairs[pair].peak_force.unwrap_or(0.0);
-            Some((one.case, with / one.without.pairs[pair].own_force?))
+            let with = own.iter().filter_map(|pair| one.with.pairs[*pair].peak_force);
+            let without = own.iter().filter_map(|pair| one.without.pairs[*pair].own_force);
+            Some((one.case, with.fold(0.0, f64::max) / without.reduce(f64::max)?))
         });
         ratios.filter(|(_, ratio)| ratio.is_finite()).collect()
     }
@@ -199,7 +198,6 @@ impl Compared<'_> {
             Distribution::of_cases(forces)
         };
         Some(PairBumperEffect {
-            force: Distribution::of_cases(self.forces(pair)),
             force_without: forces(|one, pair| one.without.pairs[pair].own_force),
             force_with: forces(|one, pair| one.with.pairs[pair].peak_force),
             compression: compressions.reduce(f64::max)?,

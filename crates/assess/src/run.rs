@@ -143,7 +143,7 @@ const MOST_BELIEVED: [(ExcessKind, f64); 3] = [
     (ExcessKind::Stability, 1.0),
 ];
 
-/// Returns the response that is farthest beyond belief: a building with it would have come down. `None` if all are believed.
+/// Returns the response that is farthest beyond belief: a building with it would hardly stand. `None` if all are believed.
 pub fn beyond_belief<'e>(excesses: impl IntoIterator<Item = &'e Excess>) -> Option<&'e Excess> {
     let share = |one: &Excess| {
         let mut limits = MOST_BELIEVED.iter();

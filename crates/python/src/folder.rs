@@ -129,9 +129,9 @@ impl Assessment {
         self.report.remarks().to_vec()
     }
 
-    /// Warnings about the results.
+    /// Warnings about the results, and how much stronger all records were made to reach their target.
     fn warnings(&self) -> Vec<String> {
-        self.report.warnings()
+        self.report.raised().into_iter().chain(self.report.warnings()).collect()
     }
 
     /// The files of a report, by name.

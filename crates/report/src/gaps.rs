@@ -63,7 +63,8 @@ pub fn gaps_answer<'a>(folder: &'a OfFolder<'_, GapsUnderMotion>) -> Answer<'a> 
     let answer = (0..n_gaps).fold(folder.answer(), |answer, gap| of_gap(folder, answer, gap));
     let levels = has_storeys(scene).then_some(LEVELS);
     let travels = scene.arrivals_s.is_some().then_some(TRAVELS);
-    let notes = [Some(NOTES), levels, travels].into_iter().flatten();
+    let others = (scene.structures.len() > 2).then_some(OTHERS);
+    let notes = [Some(NOTES), others, levels, travels].into_iter().flatten();
     answer
         .say(Where::FirstScreen, "Records", folder.records(false))
         .say(Where::Details, "Records", folder.records(true))
@@ -79,6 +80,8 @@ pub fn gaps_table<'a>(folder: &OfFolder<'a, GapsUnderMotion>) -> Table<'a, Motio
 
 const LEVELS: &str = "Level: that of the floors that need most and whose displacements the rules take, counted from 1 for the lowest; \
                       all count at which floors face each other, also those that `levels` of a contact leaves out.";
+
+const OTHERS: &str = "In a row of three and more a gap as wide stays open if every other gap does, too: a building that is pushed moves farther than alone.";
 
 const TRAVELS: &str = "The ground travels along the row (`arrivals_s`): it is in what a gap needs, while the rules know \
                        displacements relative to each structure's own ground alone.";
@@ -141,8 +144,6 @@ fn of_gap<'a>(folder: &OfFolder<'a, GapsUnderMotion>, answer: Answer<'a>, gap: u
     let (all, not_counted) = believed(folder, gap);
     let mut said = RequiredGap::of(&all).map_or_else(Vec::new, |all| result(&all, own));
     said.extend(not_counted);
-    let others = scene.structures.len() > 2 && !all.is_empty();
-    said.extend(others.then(|| "a gap as wide stays open if every other gap of the row does, too".into()));
     let table = Table::of(found).shown("Record", |(line, _)| line.name());
     answer
         .say(Where::Terminal, "Gap", vec![format!("{one} – {other}{in_scene}")])
@@ -161,7 +162,7 @@ fn believed<'a>(folder: &OfFolder<'a, GapsUnderMotion>, gap: usize) -> (Vec<(Cas
         let n = events.len();
         let s = if n == 1 { "" } else { "s" };
         format!(
-            "{n} event{s} not counted: a building would come down even alone, whatever the gap ({}: {})",
+            "{n} event{s} not counted: a building would hardly stand even alone, whatever the gap ({}: {})",
             worst.name,
             worst.kind.brief(worst.found)
         )

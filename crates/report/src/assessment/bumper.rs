@@ -78,7 +78,7 @@ impl AssessmentReport {
         };
         let harm = effect.harm().map(|(harm, ratio)| {
             let what = match harm {
-                BumperHarm::Force(pair) => format!("the force of {}", self.floors.names(pair).join(" – ")),
+                BumperHarm::Force => "the largest force of a gap".into(),
                 BumperHarm::Drift(floor) => format!("the drift of {}", self.storey_name(floor)),
                 BumperHarm::Acceleration(floor) => format!("the acceleration of {}", self.floor_name(floor)),
             };

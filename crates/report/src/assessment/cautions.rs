@@ -36,7 +36,7 @@ impl AssessmentReport {
     }
 
     /// How much stronger all records are than their own factors make them.
-    fn raised(&self) -> Option<String> {
+    pub fn raised(&self) -> Option<String> {
         let Scaling::Raised { by, from, .. } = &self.scaling.to else {
             return None;
         };
@@ -68,7 +68,7 @@ impl AssessmentReport {
                 format!("{what} do not count below")
             };
             Some(format!(
-                "In {} a building would come down {when} ({}: {}, under {}): {counts}.",
+                "In {} a building would hardly stand {when} ({}: {}, under {}): {counts}.",
                 self.of_cases(n),
                 worst.name,
                 worst.kind.brief(worst.found),

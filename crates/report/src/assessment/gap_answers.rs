@@ -22,7 +22,7 @@ impl AssessmentReport {
                 100.0 * TargetFit::LEAST_SHARE
             ));
         }
-        (self.assessment.believed_alone() == 0).then(|| format!("a building would come down even alone under every {}", self.sample()))
+        (self.assessment.believed_alone() == 0).then(|| format!("a building would hardly stand even alone under every {}", self.sample()))
     }
 
     /// The width that is proposed for a gap; `None` if these records do not show which one is enough.
@@ -128,7 +128,7 @@ impl AssessmentReport {
     /// Why a gap that stays open under some events is not enough under all; `None` if all events count.
     fn says_not_counted(&self) -> Option<String> {
         let n = self.assessment.disbelieved_alone;
-        (n > 0).then(|| format!("a building would come down even alone in {}", self.of_cases(n)))
+        (n > 0).then(|| format!("a building would hardly stand even alone in {}", self.of_cases(n)))
     }
 
     /// The proposed width of every gap that is not enough, and the chance that remains; what bumpers do, if they were asked for.
