@@ -1,8 +1,9 @@
 //! Every table and figure of the paper, and their agreement with it.
 
 use std::fmt::Write as _;
-use std::io::{ErrorKind, Write as _, stdout};
+use std::io::{ErrorKind, IsTerminal as _, Write as _, stderr, stdout};
 use std::path::Path;
+use std::sync::LazyLock;
 use std::time::Instant;
 
 use indicatif::{ProgressBar, ProgressStyle};
@@ -10,11 +11,19 @@ use pounding_studies::{Claim, Comparison, Examples, Extent, Finding, PrintedDigi
 
 use crate::results;
 
+/// When the studies began, for the lines of a log.
+static STARTED: LazyLock<Instant> = LazyLock::new(Instant::now);
+
 /// Runs every study; writes results/, or compares it with the fresh run.
 pub(crate) fn run(root: &Path, check: bool, extent: Extent) -> Result<(), String> {
     let started = Instant::now();
     let studies = Studies::read(&root.join("studies")).map_err(|error| error.to_string())?;
-    let studies = studies.with_extremes(extent);
+    let mut studies = studies.with_extremes(extent);
+    // A bar draws nothing into a file.
+    if !stderr().is_terminal() {
+        LazyLock::force(&STARTED);
+        studies = studies.telling(|done| eprintln!("{:.0} s  {done}", STARTED.elapsed().as_secs_f64()));
+    }
     let style = ProgressStyle::with_template("{bar:40} {pos}/{len} scenes and pictures, {elapsed}").expect("the template is well formed");
     let examples = Examples::read(&root.join("studies/examples"));
     let examples = examples.map_err(|error| error.to_string())?;

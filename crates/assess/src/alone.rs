@@ -1,6 +1,6 @@
 //! Buildings of a row that stand alone: one run usually gives the answer for both directions of a motion.
 
-use pounding_scene::{Error, Extras, Simulation, StoreyProperties};
+use pounding_scene::{Error, Excess, Extras, Simulation, StoreyProperties};
 
 use crate::peaks::FloorPeaks;
 use crate::separation::Separation;
@@ -14,6 +14,8 @@ pub struct Alone {
     own: Vec<Separation>,
     /// Required width of every gap in the opposite direction; `None` if that direction needs a separate run.
     other: Option<Vec<Separation>>,
+    /// Responses that exceed the model or the limits of codes.
+    pub(crate) excesses: Vec<Excess>,
     /// Whether the run was reversed.
     reversed: bool,
 }
@@ -39,6 +41,7 @@ impl Alone {
             floors: FloorPeaks::all(&apart, &run),
             own: separations(false),
             other: mirrors.then(|| separations(true)),
+            excesses: apart.excesses(&run),
             reversed: simulation.scene().record.reversed,
         })
     }

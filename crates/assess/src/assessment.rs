@@ -1,10 +1,10 @@
 //! A row under many motions: whether its gaps are enough, what touching does, and how certain both are.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 
 use pounding_scene::{Error, Floors, Scene};
 
-use crate::distribution::Distribution;
+use crate::distribution::{Case, Distribution};
 use crate::peaks::FloorPeaks;
 use crate::rule::Rule;
 use crate::run::{AssessedFloor, AssessedPair, AssessedRun};
@@ -23,6 +23,12 @@ pub struct Assessment {
     /// Number of cases. A case is an event beside one of the neighbours that the row may have. All runs of a case are one sample: the
     /// largest value of each number counts.
     pub cases: usize,
+    /// Number of cases that are [not believed while the buildings stand alone](AssessedRun::disbelieved_alone). No width comes from them,
+    /// unless all are.
+    pub disbelieved_alone: usize,
+    /// Number of cases that are not believed, alone or [beside the neighbours](AssessedRun::disbelieved_beside). No effect of touching comes
+    /// from them, unless all are.
+    pub disbelieved: usize,
     /// Effect of the contact stiffness; `None` if no run that touches has several stiffnesses.
     pub by_stiffness: Option<StiffnessEffect>,
     /// Every gap between two neighbours, from the left.
@@ -65,9 +71,9 @@ pub struct RequiredGap {
 
 impl RequiredGap {
     /// Sums up the required widths of one gap in runs, each with its case; `None` if there are no runs.
-    pub fn of(all: &[([usize; 2], &Separation)]) -> Option<Self> {
+    pub fn of(all: &[(Case, &Separation)]) -> Option<Self> {
         let required = all.iter().map(|(case, one)| (*case, one.required));
-        let required = largest_of_cases(required)?;
+        let required = Distribution::of_cases(required)?;
         let beside = all.iter().filter_map(|(_, one)| one.beside_columns);
         let beside = beside.reduce(f64::max);
         let rules = Rule::ALL.iter();
@@ -79,7 +85,8 @@ impl RequiredGap {
     }
 }
 
-/// Ratio of the largest to the least value over the contact stiffness \[–\], for every storey or pair that touches, in every run.
+/// Ratio of the largest to the least value over the contact stiffness \[–\]: the largest of every storey or pair that touches, for each
+/// case.
 #[derive(Debug, Clone, PartialEq)]
 pub struct StiffnessEffect {
     /// Ratio of peak drifts.
@@ -137,6 +144,10 @@ pub struct FloorAssessment {
     pub acceleration_range: [Distribution; 2],
     /// Largest drift beside the neighbours \[m\].
     pub largest_drift: f64,
+    /// Least and largest of these drifts over the contact stiffness \[m\].
+    pub largest_drift_range: [f64; 2],
+    /// Largest drift of the building alone in these runs \[m\].
+    pub largest_drift_alone: f64,
 }
 
 /// Collisions of a pair, over the cases in which it touches and over the contact stiffness.
@@ -165,19 +176,10 @@ pub struct RunOfCase<'r> {
 }
 
 impl RunOfCase<'_> {
-    fn case(&self) -> [usize; 2] {
+    /// Its case.
+    pub fn case(&self) -> Case {
         [self.event, self.neighbour]
     }
-}
-
-/// Largest number of each case; `None` if there are no numbers.
-fn largest_of_cases(numbers: impl Iterator<Item = ([usize; 2], f64)>) -> Option<Distribution> {
-    let mut largest: BTreeMap<[usize; 2], f64> = BTreeMap::new();
-    for (case, number) in numbers {
-        let so_far = largest.entry(case).or_insert(number);
-        *so_far = so_far.max(number);
-    }
-    Distribution::of(largest.into_values())
 }
 
 /// Number of distinct items.
@@ -195,39 +197,60 @@ impl Assessment {
         let Some(RunOfCase { run: first, .. }) = runs.first() else {
             return Ok(None);
         };
+        let alone = |run: &AssessedRun| run.disbelieved_alone.is_some();
+        let (believed_alone, disbelieved_alone) = believed(runs, alone);
+        let (believed, disbelieved) = believed(runs, |run| alone(run) || run.disbelieved_beside.is_some());
         let row = AssessedRow {
             scene,
             floors: &floors,
-            runs,
+            all: runs,
+            alone: &believed_alone,
+            runs: &believed,
         };
         Ok(Some(Self {
             runs: runs.len(),
             events: count(runs.iter().map(|one| one.event)),
             cases: count(runs.iter().map(RunOfCase::case)),
+            disbelieved_alone,
+            disbelieved,
             by_stiffness: row.by_stiffness(),
             gaps: (0..first.separations.len()).filter_map(|index| row.gap(index)).collect(),
             floors: (0..first.floors.len()).map(|floor| row.floor(floor)).collect(),
-            pairs: (0..first.pairs.len())
-                .map(|pair| {
-                    let all = runs.iter().map(|one| (one.case(), &one.run.pairs[pair]));
-                    assessed_pair(&all.collect::<Vec<_>>())
-                })
-                .collect(),
+            pairs: (0..first.pairs.len()).map(|pair| row.pair(pair)).collect(),
         }))
     }
+
+    /// Number of cases that widths come from; 0 if no case is believed.
+    pub fn believed_alone(&self) -> usize {
+        self.cases - self.disbelieved_alone
+    }
+}
+
+/// Returns the runs of all cases that are believed, or all runs if no case is, and the number of cases that are not.
+fn believed<'r>(runs: &[RunOfCase<'r>], is_doubted: impl Fn(&AssessedRun) -> bool) -> (Vec<RunOfCase<'r>>, usize) {
+    let doubted = runs.iter().filter(|one| is_doubted(one.run));
+    let doubted: BTreeSet<Case> = doubted.map(RunOfCase::case).collect();
+    let others = runs.iter().filter(|one| !doubted.contains(&one.case()));
+    let others: Vec<RunOfCase<'r>> = others.copied().collect();
+    (if others.is_empty() { runs.to_vec() } else { others }, doubted.len())
 }
 
 /// A row and its runs.
 struct AssessedRow<'r> {
     scene: &'r Scene,
     floors: &'r Floors,
+    /// All runs, which tell what touches.
+    all: &'r [RunOfCase<'r>],
+    /// The runs that widths come from: those that are believed alone, or all if none is.
+    alone: &'r [RunOfCase<'r>],
+    /// The runs that effects of touching come from: those that are believed, or all if none is.
     runs: &'r [RunOfCase<'r>],
 }
 
 impl<'r> AssessedRow<'r> {
     fn gap(&self, index: usize) -> Option<GapAssessment> {
         let of = |one: &RunOfCase<'r>| (one.case(), &one.run.separations[index]);
-        let all: Vec<([usize; 2], &Separation)> = self.runs.iter().map(of).collect();
+        let all: Vec<(Case, &Separation)> = self.alone.iter().map(of).collect();
         let left = all.first()?.1.left;
         let own = self.scene.contacts.as_ref().and_then(|all| all.get(left));
         let facing = self.floors.facing();
@@ -238,7 +261,7 @@ impl<'r> AssessedRow<'r> {
             Some(own) if is_unmodelled => run.separations[index].asks_for_more(own.gap_m),
             _ => pairs.iter().any(|pair| run.pairs[*pair].collisions > 0),
         };
-        let touching = self.runs.iter().filter(|one| touches(one.run));
+        let touching = self.all.iter().filter(|one| touches(one.run));
         let RequiredGap {
             required,
             beside_columns,
@@ -271,28 +294,42 @@ impl<'r> AssessedRow<'r> {
     }
 
     /// Returns a floor in the runs in which something touches its building, each with its case.
-    fn hits(&self, floor: usize) -> Vec<([usize; 2], &AssessedFloor)> {
+    fn hits(&self, floor: usize) -> Vec<(Case, &AssessedFloor)> {
         let building = self.floors.all()[floor].structure;
         let hit = self.runs.iter();
         let hit = hit.filter(|one| one.run.hits(self.floors, building));
         hit.map(|one| (one.case(), &one.run.floors[floor])).collect()
     }
 
+    /// Assesses a pair: its touches in all runs, and its numbers in those that count, or in all if it touches in no other.
+    fn pair(&self, pair: usize) -> PairAssessment {
+        let of = |runs: &'r [RunOfCase<'r>]| -> Vec<(Case, &'r AssessedPair)> {
+            let own = runs.iter().map(|one| (one.case(), &one.run.pairs[pair]));
+            own.filter(|(_, one)| one.collisions > 0).collect()
+        };
+        let (all, counted) = (of(self.all), of(self.runs));
+        assessed_pair(
+            if counted.is_empty() { &all } else { &counted },
+            count(all.iter().map(|(case, _)| *case)),
+        )
+    }
+
     fn by_stiffness(&self) -> Option<StiffnessEffect> {
         let moving = (0..self.floors.all().len()).filter(|floor| !self.floors.all()[*floor].is_wall());
-        let hits = moving.flat_map(|floor| self.hits(floor));
-        let floors: Vec<&AssessedFloor> = hits.map(|(_, floor)| floor).collect();
+        let floors: Vec<(Case, &AssessedFloor)> = moving.flat_map(|floor| self.hits(floor)).collect();
         let ratio = |[least, largest]: [f64; 2]| largest / least;
         let of = |peak: fn(&FloorPeaks) -> f64| {
-            let ratios = floors.iter().map(|one| ratio(one.over_stiffness.each_ref().map(peak)));
-            Distribution::of(ratios.filter(|ratio| ratio.is_finite()))
+            let ratios = floors
+                .iter()
+                .map(|(case, one)| (*case, ratio(one.over_stiffness.each_ref().map(peak))));
+            Distribution::of_cases(ratios.filter(|(_, ratio)| ratio.is_finite()))
         };
-        let pairs = self.runs.iter().flat_map(|one| &one.run.pairs);
-        let impulses = pairs.filter_map(|pair| Some(ratio(pair.peak_force.and(pair.largest_impulse)?)));
+        let pairs = self.runs.iter().flat_map(|one| one.run.pairs.iter().map(|pair| (one.case(), pair)));
+        let impulses = pairs.filter_map(|(case, pair)| Some((case, ratio(pair.peak_force.and(pair.largest_impulse)?))));
         Some(StiffnessEffect {
             drift: of(|peaks| peaks.drift)?,
             acceleration: of(|peaks| peaks.acceleration)?,
-            impulse: Distribution::of(impulses.filter(|ratio| ratio.is_finite()))?,
+            impulse: Distribution::of_cases(impulses.filter(|(_, ratio)| ratio.is_finite()))?,
         })
     }
 }
@@ -322,14 +359,14 @@ impl FloorAssessment {
     /// Amplification above which a storey counts as worse \[–\].
     pub const WORSE: f64 = 1.1;
 
-    /// Whether a response is more than [`Self::WORSE`] times the response alone in more than 16 % of the cases.
+    /// Whether a response is more than [`Self::WORSE`] times the response alone: in more than 16 % of the cases, or in any of few.
     pub fn is_worse(&self) -> bool {
         let all = [&self.drift, &self.shear, &self.acceleration];
-        all.iter().any(|one| one.p84() > Self::WORSE)
+        all.iter().any(|one| one.upper() > Self::WORSE)
     }
 }
 
-fn ruled(rule: Rule, all: &[([usize; 2], &Separation)]) -> Option<RuleAssessment> {
+fn ruled(rule: Rule, all: &[(Case, &Separation)]) -> Option<RuleAssessment> {
     let widths: Option<Vec<f64>> = all.iter().map(|(_, one)| rule.width(one)).collect();
     let widths = widths?;
     let mut narrow = BTreeSet::new();
@@ -343,16 +380,15 @@ fn ruled(rule: Rule, all: &[([usize; 2], &Separation)]) -> Option<RuleAssessment
     let of_cases = all.iter().zip(widths).map(|((case, _), width)| (*case, width));
     Some(RuleAssessment {
         rule,
-        width: largest_of_cases(of_cases)?,
+        width: Distribution::of_cases(of_cases)?,
         too_narrow: narrow.len(),
         least_share,
         level: all.iter().any(|(_, one)| one.level),
     })
 }
 
-fn assessed_floor(all: &[([usize; 2], &AssessedFloor)]) -> Option<FloorAssessment> {
-    let drifts = all.iter().map(|(_, one)| one.beside.drift);
-    let largest = drifts.fold(0.0, f64::max);
+fn assessed_floor(all: &[(Case, &AssessedFloor)]) -> Option<FloorAssessment> {
+    let largest = |of: fn(&AssessedFloor) -> f64| all.iter().map(|(_, one)| of(one)).fold(0.0, f64::max);
     let beside = |peak: fn(&FloorPeaks) -> f64| {
         let both = all.iter();
         amplification(both.map(|(case, one)| (*case, [peak(&one.alone), peak(&one.beside)])))
@@ -366,13 +402,18 @@ fn assessed_floor(all: &[([usize; 2], &AssessedFloor)]) -> Option<FloorAssessmen
         shear: beside(|peaks| peaks.shear)?,
         acceleration: beside(|peaks| peaks.acceleration)?,
         acceleration_range: [range(0)?, range(1)?],
-        largest_drift: largest,
+        largest_drift: largest(|one| one.beside.drift),
+        largest_drift_range: [
+            largest(|one| one.over_stiffness[0].drift),
+            largest(|one| one.over_stiffness[1].drift),
+        ],
+        largest_drift_alone: largest(|one| one.alone.drift),
     })
 }
 
 /// Largest ratio of each case: peaks beside the neighbours over peaks alone. Leaves out a floor that only its neighbours move.
-fn amplification(all: impl Iterator<Item = ([usize; 2], [f64; 2])>) -> Option<Distribution> {
-    let ratio = |(case, [alone, beside]): ([usize; 2], [f64; 2])| {
+fn amplification(all: impl Iterator<Item = (Case, [f64; 2])>) -> Option<Distribution> {
+    let ratio = |(case, [alone, beside]): (Case, [f64; 2])| {
         // A floor that never moves responds beside its neighbours as it does alone.
         if beside.to_bits() == alone.to_bits() {
             (case, 1.0)
@@ -380,21 +421,20 @@ fn amplification(all: impl Iterator<Item = ([usize; 2], [f64; 2])>) -> Option<Di
             (case, beside / alone)
         }
     };
-    largest_of_cases(all.map(ratio).filter(|(_, ratio)| ratio.is_finite()))
+    Distribution::of_cases(all.map(ratio).filter(|(_, ratio)| ratio.is_finite()))
 }
 
-fn assessed_pair(all: &[([usize; 2], &AssessedPair)]) -> PairAssessment {
-    let touching = all.iter().filter(|(_, one)| one.collisions > 0);
+/// Assesses a pair in runs in which it touches.
+fn assessed_pair(all: &[(Case, &AssessedPair)], touching: usize) -> PairAssessment {
     let over = |range: fn(&AssessedPair) -> Option<[f64; 2]>| {
-        let ranges = touching.clone();
-        let ranges = ranges.filter_map(|(case, one)| Some((*case, range(one)?)));
-        let end = |end: usize| largest_of_cases(ranges.clone().map(|(case, both)| (case, both[end])));
+        let ranges = all.iter().filter_map(|(case, one)| Some((*case, range(one)?)));
+        let end = |end: usize| Distribution::of_cases(ranges.clone().map(|(case, both)| (case, both[end])));
         Some([end(0)?, end(1)?])
     };
     PairAssessment {
-        touching: count(touching.clone().map(|(case, _)| *case)),
+        touching,
         peak_force: over(|one| one.peak_force),
         largest_impulse: over(|one| one.largest_impulse),
-        approach_speed: touching.clone().filter_map(|(_, one)| one.approach_speed).reduce(f64::max),
+        approach_speed: all.iter().filter_map(|(_, one)| one.approach_speed).reduce(f64::max),
     }
 }

@@ -3,7 +3,6 @@
 use pounding_contact::{Calibration, ContactLaw, FreePair, LawName, LinearSpring};
 use pounding_scene::{Contact, Error, Extras, Floors, PairQuantity, Scene, Simulation};
 
-use crate::distribution::Distribution;
 use crate::peaks::FloorPeaks;
 use crate::run::AssessedRun;
 
@@ -40,13 +39,17 @@ impl Bumper {
     /// Thickness of a bumper as a part of its gap \[–\].
     pub const THICKNESS: f64 = 0.5;
 
-    /// Part of its thickness \[–\] by which a bumper may be compressed if its stiffness is not given. The approach speed is the one that 84
-    /// % of the runs do not exceed.
+    /// Part of its thickness \[–\] by which a bumper may be compressed at the largest approach speed of all runs, if its stiffness is not
+    /// given.
     pub const COMPRESSION: f64 = 0.6;
 
+    /// Stiffnesses that are tried if none is given, as multiples of the [softest one](Self::proposed): the buildings behind two floors may
+    /// push them farther together than two free floors.
+    pub const TRIED: [f64; 5] = [1.0, 2.0, 4.0, 8.0, 16.0];
+
     /// Proposes a bumper for every gap that closes in one of the runs. If no stiffness is given, the bumper is the softest one that stops
-    /// two free floors within [`Self::COMPRESSION`] of its thickness. Their approach speed is the one that 84 % of these runs do not
-    /// exceed. A gap of zero has no room for a bumper.
+    /// two free floors within [`Self::COMPRESSION`] of its thickness, at the largest approach speed of these runs. A gap of zero has no room
+    /// for a bumper.
     ///
     /// # Errors
     /// Errors of [`Floors::of`].
@@ -61,7 +64,7 @@ impl Bumper {
             let touching = own.filter(|(pair, _)| runs.iter().any(|run| run.pairs[*pair].collisions > 0));
             let needed = touching.map(|(index, pair)| {
                 let speeds = runs.iter().filter_map(|run| run.pairs[index].approach_speed);
-                let speed = Distribution::of(speeds).map_or(0.0, |speeds| speeds.p84());
+                let speed = speeds.fold(0.0, f64::max);
                 let inverse = [pair.left, pair.right].map(|side| {
                     let made = floors.all()[side].made_of;
                     made.map_or(0.0, |made| 1.0 / made.mass_kg)
@@ -78,6 +81,15 @@ impl Bumper {
             })
         };
         Ok(wide.filter_map(bumper).collect())
+    }
+
+    /// The bumper with its stiffness multiplied by a factor.
+    #[must_use]
+    pub fn stiffened(self, factor: f64) -> Self {
+        Self {
+            stiffness: factor * self.stiffness,
+            ..self
+        }
     }
 
     /// Contact law of the bumper in a gap. It has the restitution of the contact's law, if that law has one.

@@ -1,13 +1,32 @@
-//! Quantiles of numbers over many runs, and bounds of a probability.
+//! Quantiles of numbers over many events, and bounds of a probability.
+
+use std::collections::BTreeMap;
 
 use serde::Serialize;
 
-/// A number over several runs, in rising order.
+/// A sample is an event beside one of the neighbours that the row may have: the numbers of the event and of the neighbour. All runs of a
+/// sample are dependent: both directions of a motion, and all components of a record.
+pub type Case = [usize; 2];
+
+/// A number over several samples, in rising order.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[serde(transparent)]
 pub struct Distribution(Vec<f64>);
 
 impl Distribution {
+    /// Least number of samples that have quantiles. EN 1998-1, 4.3.3.4.3 (3), takes the mean of as many, and the largest of fewer.
+    pub const ENOUGH: usize = 7;
+
+    /// The largest number of each case; `None` if there are no numbers.
+    pub fn of_cases(numbers: impl IntoIterator<Item = (Case, f64)>) -> Option<Self> {
+        let mut largest: BTreeMap<Case, f64> = BTreeMap::new();
+        for (case, number) in numbers {
+            let so_far = largest.entry(case).or_insert(number);
+            *so_far = so_far.max(number);
+        }
+        Self::of(largest.into_values())
+    }
+
     /// Sorts numbers; `None` if there are none. NaN counts as the largest.
     pub fn of(numbers: impl IntoIterator<Item = f64>) -> Option<Self> {
         let mut sorted: Vec<f64> = numbers.into_iter().collect();
@@ -42,6 +61,16 @@ impl Distribution {
         self.0.iter().sum::<f64>() / self.0.len() as f64
     }
 
+    /// Whether quantiles of so many numbers mean anything.
+    pub fn has_quantiles(&self) -> bool {
+        self.0.len() >= Self::ENOUGH
+    }
+
+    /// The number that counts: [`Self::p84`], and the largest of fewer than [`Self::ENOUGH`] numbers.
+    pub fn upper(&self) -> f64 {
+        if self.has_quantiles() { self.p84() } else { self.largest() }
+    }
+
     /// The largest number.
     pub fn largest(&self) -> f64 {
         self.0[self.0.len() - 1]
@@ -68,8 +97,13 @@ const TWO_SIDED_95: f64 = 1.959_963_984_540_054;
 /// Returns the 95 % bounds \[–\] of the probability of an event that occurred in `count` of `of` > 0 independent cases (E. B. Wilson, *J.
 /// Am. Stat. Assoc.* 22 (1927) 209). The bounds stay between 0 and 1, and differ even if the event occurred never or always.
 pub fn wilson(count: u64, of: u64) -> (f64, f64) {
+    wilson_of(count as f64 / of as f64, of)
+}
+
+/// Returns the [bounds](wilson) of a probability whose estimate is `share`, of `of` > 0 independent samples. Runs of one sample may differ, so
+/// that the share need not be a whole number of samples.
+pub fn wilson_of(share: f64, of: u64) -> (f64, f64) {
     let (n, z) = (of as f64, TWO_SIDED_95);
-    let share = count as f64 / n;
     let whole = 1.0 + z * z / n;
     let centre = (share + z * z / (2.0 * n)) / whole;
     let half = z / whole * (share * (1.0 - share) / n + z * z / (4.0 * n * n)).sqrt();

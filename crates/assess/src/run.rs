@@ -1,7 +1,7 @@
 //! One run of an assessment: a row under one motion in one direction, alone, beside its neighbours, and with softer and stiffer
 //! contact.
 
-use pounding_scene::{Error, Excess, Extras, Floors, Implausible, PairQuantity, RunResult, Scene, Simulation, parallel};
+use pounding_scene::{Error, Excess, ExcessKind, Extras, Floors, Implausible, PairQuantity, RunResult, Scene, Simulation, parallel};
 use serde::Serialize;
 
 use crate::alone::Alone;
@@ -24,6 +24,10 @@ pub struct AssessedRun {
     pub pairs: Vec<AssessedPair>,
     /// Responses beside the neighbours that exceed the model or the limits of codes.
     pub excesses: Vec<Excess>,
+    /// The response of the buildings alone that is farthest beyond belief; `None` if they are believed.
+    pub disbelieved_alone: Option<Excess>,
+    /// The response beside the neighbours that is farthest beyond belief; `None` if it is believed.
+    pub disbelieved_beside: Option<Excess>,
     /// Implausible values of the scene and of its record.
     pub unusual: Vec<Implausible>,
 }
@@ -68,14 +72,16 @@ impl AssessedRun {
     pub fn of(simulation: &Simulation, alone: Option<&Alone>, factors: StiffnessFactors) -> Result<Self, Error> {
         let exact = simulation.exact()?;
         let reversed = simulation.scene().record.reversed;
-        let known = alone.and_then(|alone| Some((alone, alone.separations(reversed)?)));
-        let (before, separations) = if let Some((alone, separations)) = known {
-            (alone.floors.clone(), separations.to_vec())
-        } else {
-            let alone = Alone::of(simulation)?;
-            let own = alone.separations(reversed);
-            (alone.floors.clone(), own.unwrap_or_default().to_vec())
+        let of_this;
+        let alone = match alone.filter(|alone| alone.separations(reversed).is_some()) {
+            Some(known) => known,
+            None => {
+                of_this = Alone::of(simulation)?;
+                &of_this
+            }
         };
+        let before = &alone.floors;
+        let separations = alone.separations(reversed).unwrap_or_default().to_vec();
         // Closings tell how near floors come to columns that they face.
         let beside = exact.run_with(Extras {
             closings: !exact.floors().beside_all_columns().is_empty(),
@@ -107,6 +113,8 @@ impl AssessedRun {
             separations,
             floors: (0..before.len()).map(floor).collect(),
             pairs: pairs.map(|pair| assessed_pair(&exact, &variants, pair)).collect(),
+            disbelieved_alone: beyond_belief(&alone.excesses).cloned(),
+            disbelieved_beside: beyond_belief(&excesses).cloned(),
             excesses,
             unusual: simulation.doubts(),
         })
@@ -130,6 +138,25 @@ impl AssessedRun {
     pub fn collisions(&self) -> usize {
         self.pairs.iter().map(|pair| pair.collisions).sum()
     }
+}
+
+/// Responses above which no result of the model is believed: four times the drift that codes allow, a tenth of 12 m for a storey of unknown
+/// height, and the stability coefficient at which gravity leaves nothing of the strength of a storey.
+const MOST_BELIEVED: [(ExcessKind, f64); 3] = [
+    (ExcessKind::Drift, 0.1),
+    (ExcessKind::Displacement, 1.2),
+    (ExcessKind::Stability, 1.0),
+];
+
+/// Returns the response that is farthest beyond belief: a building with it would hardly stand. `None` if all are believed.
+pub fn beyond_belief<'e>(excesses: impl IntoIterator<Item = &'e Excess>) -> Option<&'e Excess> {
+    let share = |one: &Excess| {
+        let mut limits = MOST_BELIEVED.iter();
+        let limit = limits.find(|(kind, _)| *kind == one.kind);
+        limit.map_or(0.0, |(_, most)| one.found / most)
+    };
+    let beyond = excesses.into_iter().filter(|one| share(one) > 1.0);
+    beyond.max_by(|one, other| share(one).total_cmp(&share(other)))
 }
 
 /// Returns the simulation with every contact `factor` times as stiff and with the same restitution.

@@ -4,12 +4,13 @@ use std::fmt;
 
 use pounding_motion::Record;
 use pounding_scene::file::ScaleTo;
-use pounding_scene::{Error, RecordUse, STANDARD_GRAVITY, Scene, Structure, periods_between, response_spectrum};
+use pounding_scene::{Error, Implausible, RecordUse, STANDARD_GRAVITY, Scene, Structure, parallel, periods_between, response_spectrum};
 use pounding_text::{digits, percent, short};
 
 use crate::design::DesignSpectrum;
 use crate::rule::Rule;
-use crate::suite::SuiteMotion;
+use crate::suite::{Suite, SuiteMotion};
+use crate::target_fit::TargetFit;
 
 /// Target to which records are scaled.
 #[derive(Debug, Clone, PartialEq)]
@@ -23,6 +24,15 @@ pub enum Scaling {
     /// Scales records to a spectrum. With the factor of a record, its spectrum equals the target on average: in logarithms, from 0.2 times
     /// the shortest to 2 times the longest first period of the row.
     Target(DesignSpectrum),
+    /// Scales records to a spectrum and then raises all of them by one factor, so that their mean spectrum has enough of it.
+    Raised {
+        /// The spectrum.
+        target: DesignSpectrum,
+        /// Factor on all records after their own \[–\], > 1.
+        by: f64,
+        /// Least part of the target that the mean spectrum has without it \[–\].
+        from: f64,
+    },
 }
 
 /// Number of periods at which a record's spectrum is compared with its target to find its factor.
@@ -80,6 +90,7 @@ impl fmt::Display for Scaling {
                 percent(*damping_ratio)
             ),
             Self::Target(spectrum) => write!(to, "to the spectrum of {spectrum}"),
+            Self::Raised { target, by, .. } => write!(to, "to the spectrum of {target}, then all × {}", digits(*by)),
         }
     }
 }
@@ -87,10 +98,83 @@ impl fmt::Display for Scaling {
 impl Scaling {
     /// The rule for gaps of the code whose spectrum is the target.
     pub fn code(&self) -> Option<Rule> {
+        match self.target()? {
+            DesignSpectrum::Eurocode8 { .. } => Some(Rule::Eurocode8),
+            DesignSpectrum::Asce7 { .. } => Some(Rule::Asce7),
+            DesignSpectrum::Table(_) => None,
+        }
+    }
+
+    /// Largest factor by which records are raised to their target \[–\]. If more is needed, they belong to other earthquakes.
+    pub const MOST_RAISED: f64 = Implausible::USUAL_FACTORS[1];
+
+    /// The spectrum to which records are scaled, if there is one.
+    pub fn target(&self) -> Option<&DesignSpectrum> {
         match self {
-            Self::Target(DesignSpectrum::Eurocode8 { .. }) => Some(Rule::Eurocode8),
-            Self::Target(DesignSpectrum::Asce7 { .. }) => Some(Rule::Asce7),
-            Self::Target(DesignSpectrum::Table(_)) | Self::AsScene | Self::Unscaled | Self::To(_) => None,
+            Self::Target(target) | Self::Raised { target, .. } => Some(target),
+            Self::AsScene | Self::Unscaled | Self::To(_) => None,
+        }
+    }
+
+    /// Factor on all records after their own \[–\].
+    fn raise(&self) -> f64 {
+        match self {
+            Self::Raised { by, .. } => *by,
+            Self::AsScene | Self::Unscaled | Self::To(_) | Self::Target(_) => 1.0,
+        }
+    }
+
+    /// Returns the scaling that raises all motions of a suite, if their mean spectrum has less than [`TargetFit::LEAST_SHARE`] of the target
+    /// somewhere. Scaling each record on average leaves the mean below the target at some periods, and a code does not take such a suite.
+    ///
+    /// Motions that need a factor above `most` leave the suite. The scaling
+    /// stays as it is if the raise would be more than [`Self::MOST_RAISED`].
+    pub fn raised(&self, scene: &Scene, suite: &mut Suite, most: Option<f64>) -> Self {
+        if self.target().is_none() && most.is_none() {
+            return self.clone();
+        }
+        // A motion that cannot be scaled fails in its run, which says why.
+        let found = parallel::each(&suite.motions, |motion| {
+            let (scaled, spectrum) = self.applied(scene, motion).ok()?;
+            let (_, ground) = motion.used_as(&scaled.record, &scene.name).ok()?;
+            Some((ground.scale.abs(), spectrum))
+        });
+        let mut used: Vec<usize> = (0..found.len()).collect();
+        let mut dropped = Vec::new();
+        let raised = loop {
+            let spectra: Vec<&MotionSpectrum> = used.iter().filter_map(|index| found[*index].as_ref()?.1.as_ref()).collect();
+            let raised = self.reaching(scene, &spectra);
+            let factor = |index: usize| found[index].as_ref().map_or(1.0, |(own, _)| own * raised.raise());
+            let (strong, others) = used.iter().partition(|index| most.is_some_and(|most| factor(**index) > most));
+            used = others;
+            let strong: Vec<usize> = strong;
+            if strong.is_empty() {
+                break raised;
+            }
+            dropped.extend(strong.into_iter().map(|index| (index, factor(index))));
+        };
+        suite.leave_out_scaled(&dropped, most.unwrap_or_default());
+        raised
+    }
+
+    /// Returns the scaling that raises motions of these spectra to their target.
+    fn reaching(&self, scene: &Scene, spectra: &[&MotionSpectrum]) -> Self {
+        let fit = self
+            .target()
+            .and_then(|target| Some((target, TargetFit::of(scene, target, spectra)?)));
+        let Some((target, fit)) = fit else {
+            return self.clone();
+        };
+        let (from, _) = fit.least();
+        // Rounded up to a per cent, so that the mean certainly has as much.
+        let by = (100.0 * TargetFit::LEAST_SHARE / from).ceil() / 100.0;
+        if from >= TargetFit::LEAST_SHARE || by > Self::MOST_RAISED || !by.is_finite() {
+            return self.clone();
+        }
+        Self::Raised {
+            target: target.clone(),
+            by,
+            from,
         }
     }
 
@@ -99,7 +183,7 @@ impl Scaling {
         let mut scaled = scene.clone();
         match self {
             Self::AsScene => {}
-            Self::Unscaled | Self::Target(_) => scaled.record = unscaled(&scene.record),
+            Self::Unscaled | Self::Target(_) | Self::Raised { .. } => scaled.record = unscaled(&scene.record),
             Self::To(target) => {
                 scaled.record = RecordUse {
                     scale_to: Some(*target),
@@ -116,12 +200,12 @@ impl Scaling {
     /// Refuses a motion that cannot be used in the scene, and a spectrum that cannot be computed.
     pub fn applied(&self, scene: &Scene, motion: &SuiteMotion) -> Result<(Scene, Option<MotionSpectrum>), Error> {
         let mut scaled = self.scene(scene);
-        let Self::Target(target) = self else {
+        let Some(target) = self.target() else {
             return Ok((scaled, None));
         };
         let (_, ground) = motion.used_as(&scaled.record, &scene.name)?;
         let unscaled = accelerations(&ground.record, &periods_of(scene), scene)?;
-        scaled.record.scale = factor(&unscaled, target, scene)?;
+        scaled.record.scale = factor(&unscaled, target, scene)? * self.raise();
         let checked = accelerations(&ground.record, &checked_periods(scene, target), scene)?;
         let unscaled = MotionSpectrum {
             peak: ground.record.peak().1.abs(),

@@ -14,7 +14,7 @@ use pounding_files::shown_name;
 use pounding_motion::{Channel, Contents, Direction, Identity, NamedFile, Site, contents};
 use pounding_scene::file::record_bytes;
 use pounding_scene::{Error, FileUse, GroundMotion, Origin, RecordUse, Scene, Simulation, SimulationOptions, Source, parallel};
-use pounding_text::Refused;
+use pounding_text::{Refused, digits, short};
 
 use copies::Copies;
 use entries::{FolderEntry, entries_of};
@@ -187,6 +187,32 @@ impl Suite {
             alike,
         };
         Ok((suite, first))
+    }
+}
+
+impl Suite {
+    /// Leaves out motions, by their index, each with the factor that it would need.
+    pub(crate) fn leave_out_scaled(&mut self, motions: &[(usize, f64)], most: f64) {
+        let all = std::mem::take(&mut self.motions);
+        for (index, motion) in all.into_iter().enumerate() {
+            match motions.iter().find(|(left_out, _)| *left_out == index) {
+                None => self.motions.push(motion),
+                Some((_, factor)) => self.left_out.push(LeftOut {
+                    name: motion.name.clone(),
+                    path: motion.path.clone(),
+                    reason: LeftOutKind::Scaled.saying(format!("by {}, above {}", short(*factor), digits(most))),
+                    motion: None,
+                }),
+            }
+        }
+        // Events are numbered without holes, since they are counted by their numbers.
+        let mut events: Vec<usize> = self.motions.iter().map(|motion| motion.event).collect();
+        events.sort_unstable();
+        events.dedup();
+        for motion in &mut self.motions {
+            motion.event = events.binary_search(&motion.event).unwrap_or_default();
+        }
+        self.n_events = events.len();
     }
 }
 

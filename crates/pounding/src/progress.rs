@@ -16,10 +16,15 @@ const TICK: Duration = Duration::from_millis(200);
 const FIRST_LINE: Duration = Duration::from_secs(10);
 const LINES: Duration = Duration::from_secs(60);
 
+/// Message of runs.
+const RUNNING: &str = "running";
+
 /// Style for one run, and for runs whose number is not known yet.
 const CLOCK: &str = "{spinner} {msg}, {elapsed}";
 /// Style for a known number of runs.
 const BAR: &str = "{bar:40} {pos}/{len} runs, {elapsed}";
+/// Style while a method is chosen.
+const CHOOSING_BAR: &str = "{bar:30} choosing a method: {pos} of about {len} sampled runs, {elapsed}, about {eta} left";
 /// Style for many runs, with the time that is left.
 const LONG_BAR: &str = "{bar:30} {human_pos}/{human_len} runs, {rate}, {elapsed}, {eta} left";
 
@@ -75,14 +80,22 @@ enum Log {
 
 /// The progress as a line.
 fn line(bar: &ProgressBar) {
-    let [done, of] = [bar.position(), bar.length().unwrap_or(0)].map(HumanCount);
     let passed = FormattedDuration(bar.elapsed());
+    let Some(of) = bar.length() else {
+        crate::say(&format!("{}, {passed}", bar.message()));
+        return;
+    };
+    let [done, of] = [bar.position(), of].map(HumanCount);
+    let what = match bar.message() {
+        message if message == RUNNING => String::new(),
+        message => format!("{message}: "),
+    };
     // The time that is left is not known before some runs are done.
     let left = match bar.eta() {
         Duration::ZERO => String::new(),
         left => format!(", {} left", FormattedDuration(left)),
     };
-    crate::say(&format!("{done} of {of} runs, {passed}{left}"));
+    crate::say(&format!("{what}{done} of {of} runs, {passed}{left}"));
 }
 
 impl Drop for Shown {
@@ -102,7 +115,7 @@ pub(crate) struct Progress(Shown);
 
 impl Progress {
     pub(crate) fn new() -> Self {
-        Self(Shown::new("running", Log::Nothing))
+        Self(Shown::new(RUNNING, Log::Nothing))
     }
 
     /// Counts one run as done; `of` is the number of all.
@@ -123,7 +136,7 @@ pub(crate) struct Counter(Shown);
 impl Counter {
     /// A bar that begins at `done` runs.
     pub(crate) fn new(done: u64, of: u64) -> Self {
-        let shown = Shown::new("running", Log::Lines);
+        let shown = Shown::new(RUNNING, Log::Lines);
         let rate = |state: &ProgressState, to: &mut dyn std::fmt::Write| {
             // A line that cannot be written is lost.
             let _ = write!(to, "{:.0} a second", state.per_sec());
@@ -140,6 +153,30 @@ impl Counter {
     /// Counts more runs as done.
     pub(crate) fn add(&self, runs: u64) {
         self.0.bar.inc(runs);
+    }
+}
+
+/// A clock while a sweep is read, and a bar of sampled runs while its method is chosen.
+#[derive(Debug)]
+pub(crate) struct Choosing(Shown);
+
+impl Choosing {
+    pub(crate) fn new() -> Self {
+        Self(Shown::new("reading", Log::Lines))
+    }
+
+    /// Returns what shows the number of sampled runs that are done, of about so many.
+    pub(crate) fn follow(&self) -> impl Fn(u64, u64) + Send + Sync + 'static {
+        let bar = self.0.bar.clone();
+        move |done, of| {
+            if bar.length().is_none() {
+                bar.set_message("choosing a method");
+                bar.set_style(style(CHOOSING_BAR));
+                bar.reset_eta();
+            }
+            bar.set_length(of);
+            bar.set_position(done);
+        }
     }
 }
 

@@ -53,7 +53,8 @@ pub(crate) fn assess(
             ..given.scene()?.seeking_gaps()
         };
         Floors::check(&scene).map_err(|error| given.in_file(error))?;
-        let suite = suite_of(&folder, &scene)?;
+        let mut suite = suite_of(&folder, &scene)?;
+        let scaling = scaling.raised(&scene, &mut suite, None);
         let lines = MotionLines::of(
             &suite,
             &BOTH,
@@ -133,9 +134,9 @@ impl Assessment {
         self.report.remarks().to_vec()
     }
 
-    /// Warnings about the results.
+    /// Warnings about the results, and how much stronger all records were made to reach their target.
     fn warnings(&self) -> Vec<String> {
-        self.report.warnings()
+        self.report.raised().into_iter().chain(self.report.warnings()).collect()
     }
 
     /// The files of a report, by name.

@@ -1,4 +1,4 @@
-"""The package gives the bits of the program."""
+"""The package computes the same numbers as the program, bit for bit."""
 
 import csv
 import io

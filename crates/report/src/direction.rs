@@ -4,7 +4,7 @@ use std::mem::discriminant;
 
 use pounding_scene::{Error, Excess, ExcessKind, Extras, PairOutcome, RecordUse, Review, RunResult, Simulation};
 
-use pounding_text::short;
+use pounding_text::{short, two_digits};
 
 use super::Blow;
 use crate::page::sentence;
@@ -156,15 +156,7 @@ pub fn run_sentence(prepared: &Simulation, result: &RunResult) -> String {
             format!("no floors that were looked at touch{unwatched}")
         };
     };
-    let [left, right] = prepared.floors().names(hardest.pair);
-    let is_compliant = prepared.pairs()[hardest.pair].law.is_compliant();
-    let how = match hardest {
-        // Of impulsive contact a force is that of rest.
-        Blow { force: Some(force), .. } if !is_compliant => format!("pressing with up to {} kN", short(1e-3 * force)),
-        Blow { force: Some(force), .. } => format!("with up to {} kN by the contact stiffness of the scene", short(1e-3 * force)),
-        Blow { speed: Some(speed), .. } => format!("at up to {} m/s", short(speed)),
-        Blow { impulse, .. } => format!("with up to {} kN·s", short(1e-3 * impulse)),
-    };
+    let how = how_hard(prepared, result, &hardest);
     let times = match all.collisions {
         1 => "once".into(),
         2 => "twice".into(),
@@ -174,10 +166,37 @@ pub fn run_sentence(prepared: &Simulation, result: &RunResult) -> String {
         1 => String::new(),
         _ => format!(", at {} of {pairs} pairs of floors", touching(prepared, result)),
     };
-    let place = if pairs > 1 {
+    format!("they touch {times}{at}, {how}{unwatched}")
+}
+
+/// How hard a pair touches, and where: with which force, or how fast.
+fn how_hard(prepared: &Simulation, result: &RunResult, hardest: &Blow) -> String {
+    let [left, right] = prepared.floors().names(hardest.pair);
+    let place = if prepared.pairs().len() > 1 {
         format!(" ({left} – {right})")
     } else {
         String::new()
     };
-    format!("they touch {times}{at}, {how}{place}{unwatched}")
+    let is_compliant = prepared.pairs()[hardest.pair].law.is_compliant();
+    let how = match *hardest {
+        // Of impulsive contact a force is that of rest.
+        Blow { force: Some(force), .. } if !is_compliant => format!("pressing with up to {} kN{place}", short(1e-3 * force)),
+        Blow { force: Some(force), .. } => format!(
+            "with up to {} kN{place}, several times more or less with another contact stiffness",
+            two_digits(1e-3 * force)
+        ),
+        Blow { speed: Some(speed), .. } => format!("at up to {} m/s{place}", short(speed)),
+        Blow { impulse, .. } => format!("with up to {} kN·s{place}", short(1e-3 * impulse)),
+    };
+    // The ground or a residual drift may press two buildings together without a hard hit.
+    let found = result.of_pair(hardest.pair);
+    let largest = found.largest.map(|largest| largest.start.to_bits());
+    let push = found.leaning().filter(|longest| largest == Some(longest.start.to_bits()));
+    let push = push.map_or_else(String::new, |push| {
+        format!(
+            "; the largest impulse is that of a push of {} s, no blow",
+            short(push.end - push.start)
+        )
+    });
+    format!("{how}{push}")
 }

@@ -1,6 +1,8 @@
 //! The widths that the gaps of a row need under a folder of records, for people and for programs.
 
-use pounding_assess::{RequiredGap, Rule, RuleAssessment, Separation};
+use std::collections::BTreeSet;
+
+use pounding_assess::{Case, RequiredGap, Rule, RuleAssessment, Separation, beyond_belief};
 use pounding_scene::{Error, Excess, Floors, Implausible, Scene, Simulation, Structure};
 use pounding_text::{Answer, Cell, Table, Where, digits, rounded_up, short};
 use serde_json::{Value, json};
@@ -14,6 +16,8 @@ pub struct GapsUnderMotion {
     separations: Vec<Separation>,
     /// Responses beyond the model, of the kinds that count for widths.
     cautions: Vec<Excess>,
+    /// The response that is farthest beyond belief; `None` if the widths are believed.
+    disbelieved: Option<Excess>,
     doubts: Vec<Implausible>,
 }
 
@@ -24,10 +28,12 @@ impl GapsUnderMotion {
     /// Errors of [`Separation::judged`].
     pub fn of(apart: &Simulation) -> Result<Self, Error> {
         let (separations, mut excesses) = Separation::judged(apart)?;
+        let disbelieved = beyond_belief(&excesses).cloned();
         excesses.retain(|one| one.kind.is_caution());
         Ok(Self {
             separations,
             cautions: excesses,
+            disbelieved,
             doubts: apart.doubts(),
         })
     }
@@ -52,7 +58,7 @@ pub fn gaps_answer<'a>(folder: &'a OfFolder<'_, GapsUnderMotion>, code: Option<R
     let scene = folder.scene;
     let n_gaps = folder.found().next().map_or(0, |(_, found)| found.separations.len());
     let all: Vec<RequiredAt> = (0..n_gaps).filter_map(|gap| RequiredAt::of(folder, gap)).collect();
-    let ruled: Vec<RuledGap<'_>> = all.iter().map(RequiredAt::ruled).collect();
+    let ruled: Vec<RuledGap<'_>> = all.iter().filter_map(RequiredAt::ruled).collect();
     let others = code.filter(|code| !Rule::COMMON.contains(code));
     let shown: Vec<Rule> = Rule::COMMON.into_iter().chain(others).collect();
     let by_code = code.map(|code| ruled.iter().map(|gap| gap.by_code(scene, code)).collect::<Vec<_>>());
@@ -64,7 +70,12 @@ pub fn gaps_answer<'a>(folder: &'a OfFolder<'_, GapsUnderMotion>, code: Option<R
     let levels = has_storeys(scene).then_some(LEVELS);
     let travels = scene.arrivals_s.is_some().then_some(TRAVELS);
     let moat = Floors::of(scene).ok().and_then(|floors| says_moat(&floors));
-    let said = [Some(NOTES), levels, travels].into_iter().flatten().map(String::from).chain(moat);
+    let others = (scene.structures.len() > 2).then_some(OTHERS);
+    let said = [Some(NOTES), others, levels, travels]
+        .into_iter()
+        .flatten()
+        .map(String::from)
+        .chain(moat);
     answer
         .say(Where::FirstScreen, "Records", folder.records(false))
         .say(Where::Details, "Records", folder.records(true))
@@ -94,33 +105,35 @@ struct RequiredAt {
     index: usize,
     left: usize,
     own: Option<f64>,
-    all: RequiredGap,
+    /// Its widths; `None` if no event is believed.
+    all: Option<RequiredGap>,
+    /// Why events do not count, if there are any.
+    not_counted: Option<String>,
 }
 
 impl RequiredAt {
     fn of(folder: &OfFolder<'_, GapsUnderMotion>, index: usize) -> Option<Self> {
-        let found = folder
-            .found()
-            .filter_map(|(line, found)| Some(([line.event, 0], found.separations.get(index)?)));
-        let found: Vec<_> = found.collect();
-        let left = found.first()?.1.left;
+        let left = folder.found().find_map(|(_, found)| Some(found.separations.get(index)?.left))?;
+        let (found, not_counted) = believed(folder, index);
         let contacts = folder.scene.contacts.as_ref();
         Some(Self {
             index,
             left,
             own: contacts.and_then(|contacts| contacts.get(left)).map(|own| own.gap_m),
-            all: RequiredGap::of(&found)?,
+            all: RequiredGap::of(&found),
+            not_counted,
         })
     }
 
-    fn ruled(&self) -> RuledGap<'_> {
-        RuledGap {
+    fn ruled(&self) -> Option<RuledGap<'_>> {
+        let all = self.all.as_ref()?;
+        Some(RuledGap {
             left: self.left,
             own: self.own,
-            needed: self.all.required.largest(),
-            rules: &self.all.rules,
+            needed: all.required.largest(),
+            rules: &all.rules,
             sample: "event",
-        }
+        })
     }
 }
 
@@ -132,6 +145,9 @@ pub fn gaps_table<'a>(folder: &OfFolder<'a, GapsUnderMotion>) -> Table<'a, Motio
 
 const LEVELS: &str = "Level: that of the floors that need most and whose displacements the rules take, counted from 1 for the lowest; \
                       all count at which floors face each other, also those that `levels` of a contact leaves out.";
+
+const OTHERS: &str =
+    "In a row of three and more a gap as wide stays open if every other gap does, too: a building that is pushed moves farther than alone.";
 
 const TRAVELS: &str = "The ground travels along the row (`arrivals_s`): it is in what a gap needs, while the rules know \
                        displacements relative to each structure's own ground alone.";
@@ -194,21 +210,39 @@ fn of_gap<'a>(folder: &OfFolder<'a, GapsUnderMotion>, answer: Answer<'a>, gap: &
     let in_scene = gap
         .own
         .map_or_else(String::new, |own| format!(", {} mm in the scene", digits(own * 1e3)));
+    let told = || says_columns(scene, gap.left);
+    let mut said = gap.all.as_ref().map_or_else(Vec::new, |all| result(all, gap.own, told(), shown));
+    said.extend(gap.not_counted.clone());
     let table = Table::of(found).shown("Record", |(line, _)| line.name());
     answer
         .say(Where::Terminal, "Gap", vec![format!("{one} – {other}{in_scene}")])
         .table(Where::Terminal, numbers(scene, shown, table, |(_, one)| Some(*one)).grid())
-        .say(
-            Where::Terminal,
-            "Result",
-            result(&gap.all, gap.own, says_columns(scene, gap.left), shown),
-        )
+        .say(Where::Terminal, "Result", said)
 }
 
 /// The floors of a gap that face columns, in a sentence.
 fn says_columns(scene: &Scene, gap: usize) -> Option<String> {
     let floors = Floors::of(&scene.clone().seeking_gaps()).ok()?;
     floors.says_columns(gap)
+}
+
+/// Returns the widths of the events under which every building stands alone within belief, and a sentence about the others.
+fn believed<'a>(folder: &OfFolder<'a, GapsUnderMotion>, gap: usize) -> (Vec<(Case, &'a Separation)>, Option<String>) {
+    let doubted = folder.found().filter_map(|(line, found)| Some((line, found.disbelieved.as_ref()?)));
+    let doubted: Vec<_> = doubted.collect();
+    let events: BTreeSet<usize> = doubted.iter().map(|(line, _)| line.event).collect();
+    let all = folder.found().filter(|(line, _)| !events.contains(&line.event));
+    let all = all.filter_map(|(line, found)| Some(([line.event, 0], found.separations.get(gap)?)));
+    let worst = beyond_belief(doubted.iter().map(|(_, excess)| *excess)).map(|worst| {
+        let n = events.len();
+        let s = if n == 1 { "" } else { "s" };
+        format!(
+            "{n} event{s} not counted: a building would hardly stand even alone, whatever the gap ({}: {})",
+            worst.name,
+            worst.kind.brief(worst.found)
+        )
+    });
+    (all.collect(), worst)
 }
 
 /// Whether floors stand at several levels.
@@ -241,16 +275,17 @@ fn enough(width: f64) -> String {
 /// The width that is enough for all events, and whether the rules and the gap of the scene give it.
 fn result(all: &RequiredGap, own: Option<f64>, columns: Option<String>, shown: &[Rule]) -> Vec<String> {
     let widths = &all.required;
-    let n = match widths.sorted().len() {
-        1 => "the only event".into(),
-        n => format!("all {n} events"),
-    };
-    let mut lines = vec![format!(
-        "{} mm are enough for {n}; {} mm for half of them, {} mm for 84 %",
-        enough(widths.largest()),
-        enough(widths.median()),
-        enough(widths.p84())
-    )];
+    let n = widths.sorted().len();
+    let largest = enough(widths.largest());
+    let mut lines = vec![match n {
+        1 => format!("{largest} mm are enough for the only event"),
+        n if widths.has_quantiles() => format!(
+            "{largest} mm are enough for all {n} events; {} mm for half of them, {} mm for 84 %",
+            enough(widths.median()),
+            enough(widths.p84())
+        ),
+        n => format!("{largest} mm are enough for all {n} events: the largest of so few"),
+    }];
     let width = all.beside_columns.map(enough);
     lines.extend(
         columns

@@ -19,6 +19,8 @@ pub struct Studies {
     published: PublishedValues,
     n_noisy_runs: usize,
     extent: Extent,
+    /// Is told what was done for which study.
+    told: fn(&str),
 }
 
 /// The results of all studies.
@@ -45,6 +47,7 @@ impl Studies {
             published: PublishedValues::read(&folder.join("published"))?,
             n_noisy_runs: N_NOISY_RUNS,
             extent: Extent::default(),
+            told: |_| {},
         })
     }
 
@@ -65,6 +68,12 @@ impl Studies {
     #[must_use]
     pub fn with_extremes(self, extent: Extent) -> Self {
         Self { extent, ..self }
+    }
+
+    /// Sets what is told what was done for which study.
+    #[must_use]
+    pub fn telling(self, told: fn(&str)) -> Self {
+        Self { told, ..self }
     }
 
     /// Number of calls of `done` by [`Self::reproduce`].
@@ -93,8 +102,16 @@ impl Studies {
     /// # Errors
     /// The first [`StudyError`] in the order of the studies.
     pub fn reproduce(self, done: &(dyn Fn() + Sync)) -> Result<Reproduction, StudyError> {
-        let completed = parallel::try_each(&self.files, |file| Completed::run(file.clone(), done))?;
-        let made = parallel::try_each(&completed, |study| rendered(study, self.extent, done))?;
+        let completed = parallel::try_each(&self.files, |file| {
+            let completed = Completed::run(file.clone(), done);
+            (self.told)(&format!("{}: its scenes have run", file.id));
+            completed
+        })?;
+        let made = parallel::try_each(&completed, |study| {
+            let made = rendered(study, self.extent, done);
+            (self.told)(&format!("{}: its tables and figures are made", study.file.id));
+            made
+        })?;
         let (mut files, mut values) = (Files::new(), BTreeMap::new());
         for (study, (of_table, made)) in completed.iter().zip(made) {
             let id = &study.file.id;

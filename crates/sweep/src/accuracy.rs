@@ -115,6 +115,8 @@ impl Sweep {
     /// The cheapest method according to the choosing runs. Its price includes the measuring runs.
     fn cheapest(&mut self, chooses: &[u64], measures: &[u64], asked: f64) -> Method {
         self.set_method(&Method::EXACT);
+        // The usual course: few runs by the exact method, by steps and in lanes, then all that choose, by several steps, and those that measure.
+        self.expect(4 * FEW + 8 * CHOOSING + 2 * MEASURING);
         let few = &chooses[..chooses.len().min(FEW)];
         let truth = self.numbers(few);
         // Impacts without a tolerance run in lanes unchanged.
@@ -146,6 +148,8 @@ impl Sweep {
             return Method::EXACT;
         }
         self.set_method(&Method::EXACT);
+        let steps = finest.map_or(0, |finest| usize::try_from(finest + 2).unwrap_or_default());
+        self.expect((1 + usize::from(flights.is_some()) + steps) * CHOOSING + 2 * MEASURING);
         let truth = self.numbers(chooses).numbers;
         let mut otherwise = Method::EXACT;
         if flights.is_some() {
@@ -158,6 +162,13 @@ impl Sweep {
         }
         let method = finest.and_then(|finest| self.stepping(chooses, &truth, asked, finest));
         method.unwrap_or(otherwise)
+    }
+
+    /// Notes about how many runs of samples will follow.
+    fn expect(&self, runs: usize) {
+        if let Some(choosing) = &self.choosing {
+            choosing.expect(runs as u64);
+        }
     }
 
     /// The finest step that is worth its cost, if it may be within the requested error in half of a few runs.
@@ -259,6 +270,9 @@ impl Sweep {
                     (numbers, if ran.beside { 1.0 } else { 0.0 }, ran.price)
                 });
                 told.push((run, ran.ok()));
+                if let Some(choosing) = &self.choosing {
+                    choosing.step();
+                }
             });
             // Refused runs are reported at once, others when enough are ready.
             let place = |run: &u64| runs.iter().position(|one| one == run);

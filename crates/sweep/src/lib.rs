@@ -35,6 +35,7 @@ mod accuracy;
 mod batch;
 mod beside;
 mod checked;
+mod choosing;
 mod column;
 mod column_errors;
 mod distribution;
@@ -71,6 +72,7 @@ use sha2::{Digest, Sha256};
 pub use accuracy::SweepAccuracy;
 pub use batch::Batch;
 pub use checked::Checked;
+use choosing::Choosing;
 pub use column::SweepColumn;
 pub use column_errors::ColumnErrors;
 pub use distribution::{LogNormal, Normal};
@@ -113,6 +115,8 @@ pub struct Sweep {
     inputs: Vec<PathBuf>,
     /// Stop flag: ends all runs when set.
     stop: Option<&'static AtomicBool>,
+    /// Progress of the choice of a method, while it lasts.
+    choosing: Option<Choosing>,
 }
 
 /// The scene of a sweep as read.
@@ -130,9 +134,22 @@ impl Sweep {
     /// # Errors
     /// Names the line of the field. Of [`RefusalKind::Stopped`] where somebody says stop while a method is chosen.
     pub fn read(path: &Path, stop: Option<&'static AtomicBool>) -> Result<Self, Refused> {
+        Self::read_followed(path, stop, |_, _| {})
+    }
+
+    /// [Reads](Self::read) a sweep; while a method is chosen, `told` gets the number of runs of samples that are done, and about how many
+    /// there will be.
+    ///
+    /// # Errors
+    /// Those of [`Self::read`].
+    pub fn read_followed(
+        path: &Path,
+        stop: Option<&'static AtomicBool>,
+        told: impl Fn(u64, u64) + Send + Sync + 'static,
+    ) -> Result<Self, Refused> {
         let bytes = pounding_scene::file::bytes(path).map_err(|error| Refused::unreadable(path, &error))?;
         let file = SweepFile::parse(&bytes, path)?;
-        Self::of(&file, &bytes, path, stop).map_err(|refused| {
+        Self::followed(&file, &bytes, path, stop, Choosing::new(told)).map_err(|refused| {
             let is_stopped = refused.is_kind(RefusalKind::Stopped);
             if is_stopped { refused } else { in_file(refused, path) }
         })
@@ -146,6 +163,16 @@ impl Sweep {
     /// # Panics
     /// Never: a budget is numbers and their names, which JSON holds.
     pub fn of(file: &SweepFile, bytes: &[u8], path: &Path, stop: Option<&'static AtomicBool>) -> Result<Self, Refused> {
+        Self::followed(file, bytes, path, stop, Choosing::new(|_, _| {}))
+    }
+
+    fn followed(
+        file: &SweepFile,
+        bytes: &[u8],
+        path: &Path,
+        stop: Option<&'static AtomicBool>,
+        choosing: Choosing,
+    ) -> Result<Self, Refused> {
         let folder = |path: &Path| path.parent().unwrap_or_else(|| Path::new("")).to_path_buf();
         let mut read = Read::of(&file.scene, path)?;
         if let (Some(budget), Some(scene)) = (file.budget, read.scene.as_object_mut()) {
@@ -181,6 +208,7 @@ impl Sweep {
             sha256,
             inputs,
             stop,
+            choosing: None,
         };
         if asked.is_some() {
             sweep.set_method(&Method::EXACT);
@@ -197,7 +225,9 @@ impl Sweep {
             sweep.summary = Some(sweep.form(words, directions)?);
         }
         if let Some(asked) = asked {
+            sweep.choosing = Some(choosing);
             sweep.choose(asked);
+            sweep.choosing = None;
             if sweep.is_stopped() {
                 let stopped = Refused::that("stopped while a method was chosen").kind(RefusalKind::Stopped);
                 return Err(stopped.help("the same command begins with that again"));

@@ -14,6 +14,8 @@ use pounding_text::Refused;
 pub(super) struct Shaking {
     /// Name in its rows.
     pub(super) name: String,
+    /// Number of its event: components and directions of a record are one event.
+    pub(super) event: usize,
     /// How the scene uses it.
     record: RecordUse,
     /// SHA-256 of its file; empty for a generated motion.
@@ -91,7 +93,7 @@ impl Motions {
             }
             for record in in_directions(&record, directions) {
                 let motion = GroundMotion::of(&record, of_scene, &scene.name)?;
-                motions.add(&own_name(&record.source), record, motion);
+                motions.add(&own_name(&record.source), 0, record, motion);
             }
             return Ok(motions);
         };
@@ -108,7 +110,7 @@ impl Motions {
         for motion in &suite.motions {
             for record in in_directions(&record, directions) {
                 let (record, used) = motion.used_as(&record, &scene.name)?;
-                motions.add(&motion.name, record, used);
+                motions.add(&motion.name, motion.event, record, used);
             }
         }
         if motions.all.is_empty() {
@@ -122,7 +124,7 @@ impl Motions {
         Ok(motions)
     }
 
-    fn add(&mut self, name: &str, record: RecordUse, motion: GroundMotion) {
+    fn add(&mut self, name: &str, event: usize, record: RecordUse, motion: GroundMotion) {
         let doubts = motion.doubts(&record, self.differs == Differs::Nothing);
         let named = doubts.into_iter().map(|doubt| (name.to_owned(), doubt));
         self.unusual.extend(named);
@@ -134,6 +136,7 @@ impl Motions {
         }
         self.all.push(Shaking {
             name: name.into(),
+            event,
             record,
             sha256: sha256.unwrap_or_default(),
             motion,

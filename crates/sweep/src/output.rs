@@ -80,7 +80,7 @@ impl RowShape {
             let names = unique(names).into_iter().enumerate();
             names.map(|(place, name)| (name, vec![place])).collect::<Vec<_>>()
         };
-        let between = |[left, right]: [&String; 2]| format!("{left} – {right}");
+        let between = |[left, right]: [&String; 2]| format!("{left} - {right}");
         let of_pair = |pair: &FloorPair| between([pair.left, pair.right].map(|floor| &floors[floor]));
         let pairs: Vec<_> = self.pairs.iter().map(of_pair).collect();
         let names = unique(&self.structures);

@@ -45,6 +45,8 @@ impl Unit {
         let up = rounded_up(millimetres, 1);
         up.parse().map_or(up, digits)
     });
+    /// A residual of a displacement: 0 if nobody could measure it in a building, below 0.1 mm.
+    pub const RESIDUAL: Self = Self::METRE.read(|millimetres| if millimetres.abs() < 0.1 { "0".into() } else { short(millimetres) });
     /// A force, in kilonewtons.
     pub const NEWTON: Self = Self::new("_n", "N", "kN", |_| 1e-3, short);
     /// An impulse.

@@ -5,7 +5,7 @@ mod runs;
 
 use std::path::PathBuf;
 
-use pounding::assess::{DesignSpectrum, Rule, Scaling, Suite};
+use pounding::assess::{Bumper, BumperEffect, DesignSpectrum, Rule, Scaling, Suite};
 use pounding::report::{AssessmentReport, FolderOfMotions, ScalingAsked};
 use pounding::scene::file::ScaleTo;
 use pounding::scene::{Error, Floors, Method, Scene, Structure};
@@ -28,8 +28,10 @@ Examples:
   pounding assess a.toml --records records --target asce7:s_ds=1,s_d1=0.6,t_l=8
 
 Every horizontal motion of the folder shakes the row in both directions, by the
-exact method. Components of one record are one event. The answer is one for these records: choose
-and scale them for the site. The stiffness of impacts is known to an order of
+exact method. Components of one record are one event. The answer is one for
+these records: choose and scale them for the site. If their mean spectrum has
+less than 90 % of --target somewhere, all are made stronger by one factor until
+it has, and the answer says so. The stiffness of impacts is known to an order of
 magnitude; forces are ranges over --stiffness.
 
 The folder holds report.html, for people; assess.csv with a line per number;
@@ -57,11 +59,16 @@ pub(crate) struct Arguments {
     /// tbdy-2018, e-030 or gb-50011; by default that of the target.
     #[arg(long, value_name = "CODE", value_parser = Rule::of_code)]
     code: Option<Rule>,
+    /// Leave out records that need a larger factor than this, such as 4: they belong
+    /// to other earthquakes.
+    #[arg(long, value_name = "FACTOR", value_parser = super::positive)]
+    max_scale: Option<f64>,
     /// Range of the stiffness of impacts, as factors on that of the scene.
     #[arg(long, value_name = "FROM..TO", default_value = "0.1..10", value_parser = factors)]
     stiffness: [f64; 2],
     /// What a bumper in every gap that closes changes, half as thick as the gap:
-    /// k=80MN/m at each floor, or proposed, the softest that the gap has room for.
+    /// k=80MN/m at each floor, or proposed, the softest that the gap has room for
+    /// and that makes nothing worse.
     #[arg(long, value_name = "BUMPER", default_value = "none", value_parser = bumper::asked)]
     bumper: BumperAsked,
     /// Name for the report.
@@ -134,6 +141,12 @@ fn factors(text: &str) -> Result<[f64; 2], String> {
 impl Arguments {
     /// The options that ask for this scaling again.
     fn scaling_words(&self) -> Option<String> {
+        let most = self.max_scale.map(|most| format!("--max-scale {}", digits(most)));
+        let words: Vec<String> = self.target_words().into_iter().chain(most).collect();
+        (!words.is_empty()).then(|| words.join(" "))
+    }
+
+    fn target_words(&self) -> Option<String> {
         match (&self.target, &self.scale) {
             (Some(target), _) => Some(format!("--target \"{target}\"")),
             (None, Some(Scaling::To(ScaleTo::PgaG(pga)))) => Some(format!("--scale \"pga={}g\"", digits(*pga))),
@@ -141,7 +154,7 @@ impl Arguments {
                 Some(format!("--scale \"sa({}s)={}g\"", digits(*period_s), digits(*sa_g)))
             }
             (None, Some(Scaling::Unscaled)) => Some("--scale none".into()),
-            (None, Some(Scaling::AsScene | Scaling::Target(_)) | None) => None,
+            (None, Some(Scaling::AsScene | Scaling::Target(_) | Scaling::Raised { .. }) | None) => None,
         }
     }
 
@@ -167,8 +180,8 @@ pub(crate) fn run(args: &Arguments) -> Result<String, Refused> {
         out.apart_from(&args.records)?;
     }
     let scene = super::read(path).map_err(message)?;
-    let records = suite::read(&args.records, &args.declared, &scene)?;
-    let asked = args.asked(scene, &records)?;
+    let mut records = suite::read(&args.records, &args.declared, &scene)?;
+    let asked = args.asked(scene, &mut records)?;
     let ran = asked.run()?;
     let report = args.report(&asked, &ran.lines)?;
     let report = report.ok_or("no run was finished")?;
@@ -184,7 +197,7 @@ pub(crate) fn run(args: &Arguments) -> Result<String, Refused> {
 
 impl Arguments {
     /// Rows and settings, the same for every motion.
-    fn asked<'a>(&self, scene: Scene, records: &'a Suite) -> Result<Asked<'a>, Refused> {
+    fn asked<'a>(&self, scene: Scene, records: &'a mut Suite) -> Result<Asked<'a>, Refused> {
         let message = |error: Error| Refused::from(error.in_file(&self.scene));
         let scene = Scene {
             method: Method::EXACT,
@@ -204,20 +217,29 @@ impl Arguments {
             return Err(two.so(": ", why).in_file(&self.scene));
         }
         Floors::check(&rows[0].0).map_err(message)?;
+        let known = Scene {
+            neighbour: None,
+            ..scene.clone()
+        };
+        let scaling = self.scaling()?.raised(&known, records, self.max_scale);
+        if records.motions.is_empty() {
+            let most = digits(self.max_scale.unwrap_or_default());
+            let found = Refused::at("--max-scale")
+                .found(most)
+                .allowed_is("a factor that some record of the folder keeps");
+            return Err(found.help("larger factors are allowed, or other records"));
+        }
         Ok(Asked {
-            known: Scene {
-                neighbour: None,
-                ..scene.clone()
-            },
+            known,
             scene,
             rows,
-            scaling: self.scaling()?,
+            scaling,
             stiffness: self.stiffness,
             records,
         })
     }
 
-    /// The runs that were finished, summed up; `None` if there are none.
+    /// The runs that were finished, summed up, with the bumpers that were asked for; `None` if there are none.
     fn report(&self, asked: &Asked<'_>, lines: &[suite::MotionLine<RunsUnderMotion>]) -> Result<Option<AssessmentReport>, Refused> {
         let message = |error: Error| Refused::from(error.in_file(&self.scene));
         let bumpers = match self.bumper {
@@ -225,8 +247,32 @@ impl Arguments {
             BumperAsked::Proposed => asked.bumpers(lines, None).map_err(message)?,
             BumperAsked::Stiffness(stiffness) => asked.bumpers(lines, Some(stiffness)).map_err(message)?,
         };
-        let with_bumpers = asked.with_bumpers(lines, &bumpers)?;
         let animation = self.out.as_ref().and_then(|_| asked.animation(lines));
+        let tried: &[f64] = match self.bumper {
+            BumperAsked::Proposed if !bumpers.is_empty() => &Bumper::TRIED,
+            _ => &[1.0],
+        };
+        let mut report = None;
+        for factor in tried {
+            let bumpers: Vec<Bumper> = bumpers.iter().map(|one| one.stiffened(*factor)).collect();
+            report = self.report_with(asked, lines, &bumpers)?;
+            let is_enough = |report: &AssessmentReport| report.bumpers().is_none_or(BumperEffect::helps);
+            if report.as_ref().is_none_or(is_enough) {
+                break;
+            }
+        }
+        Ok(report.map(|report| report.with_animation(animation)))
+    }
+
+    /// The runs that were finished, summed up, with these bumpers.
+    fn report_with(
+        &self,
+        asked: &Asked<'_>,
+        lines: &[suite::MotionLine<RunsUnderMotion>],
+        bumpers: &[Bumper],
+    ) -> Result<Option<AssessmentReport>, Refused> {
+        let message = |error: Error| Refused::from(error.in_file(&self.scene));
+        let with_bumpers = asked.with_bumpers(lines, bumpers)?;
         let folder = FolderOfMotions::of(asked.records, lines, self.printed.details);
         let scaling = ScalingAsked {
             to: asked.scaling.clone(),
@@ -241,8 +287,7 @@ impl Arguments {
                 .with_stiffness(self.stiffness)
                 .with_code(self.code.or_else(|| asked.scaling.code()))
                 .with_scaling(scaling)
-                .with_animation(animation)
-                .with_bumpers(&bumpers, self.bumper.words())
+                .with_bumpers(bumpers, self.bumper.words())
                 .signed(self.author.clone(), self.date.clone())
         }))
     }

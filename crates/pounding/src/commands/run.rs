@@ -67,7 +67,7 @@ struct How {
     /// Do not measure the errors; saves the exact run.
     #[arg(long)]
     no_error: bool,
-    /// Model what the scene does not require, too: the same numbers at more cost.
+    /// Take the general model even if a simpler one gives the same numbers: slower.
     #[arg(long, conflicts_with = "records")]
     full: bool,
     /// Print what is refused, too, with a warning.

@@ -15,7 +15,7 @@ pub(super) use joined::of_table;
 
 use super::Failure;
 use super::suite::{STOPPED, stop_when_asked};
-use crate::progress::{Counter, Waiting};
+use crate::progress::{Choosing, Counter};
 use crate::{new_file, say};
 
 const EXAMPLES: &str = "\
@@ -103,9 +103,9 @@ pub(crate) fn run(args: &Arguments) -> Result<String, Failure> {
         return Err(new_file::there_already(&out).into());
     }
     stop_when_asked();
-    let waiting = Waiting::new("reading, choosing a method");
-    let sweep = Sweep::read(&args.sweep, Some(&STOPPED))?;
-    drop(waiting);
+    let choosing = Choosing::new();
+    let sweep = Sweep::read_followed(&args.sweep, Some(&STOPPED), choosing.follow())?;
+    drop(choosing);
     new_file::keep(&out, sweep.inputs())?;
     keep_errors(&sweep, &out, args.overwrite)?;
     keep_summary(&sweep, &out, args.overwrite)?;

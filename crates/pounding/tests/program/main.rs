@@ -2,6 +2,7 @@
 
 mod assess;
 mod assess_neighbours;
+mod assess_safe;
 mod batches;
 mod budgets;
 mod buildings;

@@ -72,7 +72,7 @@ fn reference_a_small_sweep() {
     ");
     let text = String::from_utf8(table(&folder, "sweep.json.csv")).expect("text");
     let header = text.lines().next().unwrap_or_default();
-    assert_snapshot!(header, @"run,record,reversed,contacts[0].gap_m,structures[0].sdof.period_s,left: peak_displacement_m,right: peak_displacement_m,left – right: collisions,left – right: peak_force_n,left – right: total_impulse_n_s,checked,failed");
+    assert_snapshot!(header, @"run,record,reversed,contacts[0].gap_m,structures[0].sdof.period_s,left: peak_displacement_m,right: peak_displacement_m,left - right: collisions,left - right: peak_force_n,left - right: total_impulse_n_s,checked,failed");
     assert_eq!(text.lines().count(), 5);
     assert!(!folder.join("sweep.json.csv.parts").exists(), "parts go when they are joined");
     let again = pounding(&folder, &["sweep", "sweep.json"]);
@@ -252,7 +252,7 @@ fn limit_records_are_those_of_run() {
                 continue;
             };
             // Buildings of one storey are named without their storey.
-            let (building, neighbour) = of.split_once(" – ").unwrap_or((of, ""));
+            let (building, neighbour) = of.split_once(" - ").unwrap_or((of, ""));
             let same = wanted.iter().find(|wanted| {
                 [&wanted[0], &wanted[2], &wanted[3], &wanted[5], &wanted[7]] == [&row[1], &row[2], building, neighbour, quantity]
             });

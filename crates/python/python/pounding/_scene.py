@@ -300,7 +300,8 @@ class Scene:
             ``{"sa": {"period_s": 0.8, "damping_ratio": 0.05, "sa_g": 0.5}}``.
         target
             A spectrum to scale to: ``"ec8:a_g=0.25g,ground=C"``, ``"asce7:s_ds=1,s_d1=0.6,t_l=8"``, or a CSV file of periods [s] and
-            accelerations [g].
+            accelerations [g]. If the mean spectrum of the records has less than 90 % of it somewhere, all are made stronger by one factor
+            until it has; a warning gives the factor.
         stiffness
             Range of the impact stiffness, as factors on that of the scene [–].
         code

@@ -19,7 +19,8 @@ pub(super) fn parts<'a>(answer: Answer<'a>, prepared: &Simulation, effects: &Eff
         "Peaks beside the neighbours, and as multiples of those of the same building alone, in both directions of shaking. ~ marks what moves \
          by more than {} when the record is made 1 % weaker, stronger, faster or slower: it holds no better than that. All by the exact \
          method; another exact run, with a tolerance ten thousand times as large and a record larger by one part in 10¹², is within {} of \
-         every multiple. Impulsive impacts accelerate without bound and are left out of accelerations. Collisions and impulses are those of \
+         every multiple. All are for the contact stiffness of the scene, which nobody knows well: accelerations depend on it, and `pounding assess` \
+         gives their range. Impulsive impacts accelerate without bound and are left out of accelerations. Collisions and impulses are those of \
          both sides of a floor together.",
         percent(Known::ROBUST),
         percent(effects.largest_error())
@@ -60,7 +61,7 @@ fn table(prepared: &Simulation, effects: &Effects, full: bool) -> Grid {
     let responses = [
         ("Drift", &Unit::METRE),
         ("Shear", &Unit::NEWTON),
-        ("Acceleration", &Unit::ACCELERATION),
+        ("Acceleration at this contact stiffness", &Unit::ACCELERATION),
     ];
     let table = responses.into_iter().enumerate().fold(table, |table, (response, (name, unit))| {
         let effect = move |floor: &FloorEffects| floor.responses()[response];

@@ -54,14 +54,14 @@ impl AssessmentReport {
         }
         let worse = self.worse();
         let storeys = if worse.is_empty() {
-            "No storey gets worse by more than 10 % in more than 16 % of the events."
+            "No storey gets worse by more than 10 %."
         } else {
-            "Storeys that get worse by more than 10 % in more than 16 % of the events:"
+            "Storeys whose drift, shear force or acceleration becomes more than 10 % larger, harmless ones included:"
         };
         let [from, to] = self.stiffness.map(pounding_text::digits);
         let forces = format!(
-            "Forces and impulses from the median of the events with the contact that gives least to the largest of all runs and contacts, \
-             {from} to {to} times as stiff as in the scene: nobody knows the stiffness better, and it decides forces and accelerations."
+            "Largest forces and impulses of all runs: with the contact that gives least to the one that gives most, {from} to {to} times as \
+             stiff as in the scene. Nobody knows the stiffness better, and it decides forces and accelerations."
         );
         let worse = first(&self.storeys(worse));
         let mut answer = answer
@@ -75,7 +75,7 @@ impl AssessmentReport {
             answer = answer
                 .heading("Bumpers in the gaps")
                 .say(Where::Page, "", vec![self.bumper_says().join(" ")]);
-            if !effect.is_too_thin() {
+            if self.bumpers_hold() {
                 answer = answer
                     .table(Where::Details, self.bumper_pairs(effect).grid())
                     .table(Where::Details, self.bumper_storeys(effect).grid());
@@ -155,8 +155,9 @@ const REQUIRED: &str = "The width that keeps the neighbours apart under an event
 const RULES: &str = "Each rule takes the displacements of the time history of both buildings standing alone. “At worst” is its width as a \
                      part of the one that is needed.";
 
-const STOREYS: &str = "Median / 84 % of the events in which their building touches; accelerations from the median with the contact that gives \
-                       least to 84 % with the one that gives most, as forces.";
+const STOREYS: &str = "Median / 84 % of the events in which their building touches, of fewer than seven events the largest alone. Drift and shear force \
+                       are those of the storey; the acceleration is that of the floor above it, with the contact that gives least to the one that \
+                       gives most.";
 
 const MORE: &str =
     "--details prints every run and storey, --out FOLDER writes a report, --bumper proposed says what bumpers in the gaps change";

@@ -1,7 +1,7 @@
 //! Sentences of an assessment about bumpers in the gaps.
 
-use pounding_assess::{Bumper, BumperEffect, Distribution};
-use pounding_text::{millimetres, short, two_decimals, two_digits};
+use pounding_assess::{Bumper, BumperEffect, BumperHarm, Distribution};
+use pounding_text::{digits, millimetres, short, two_decimals, two_digits};
 use serde_json::{Value, json};
 
 use super::AssessmentReport;
@@ -21,8 +21,13 @@ pub(super) fn change(ratio: f64) -> String {
     }
 }
 
+/// Median and 84 % of ratios as changes; of few only the largest.
 fn both(of: &Distribution) -> String {
-    format!("{} (84 %: {})", change(of.median()), change(of.p84()))
+    if of.has_quantiles() {
+        format!("{} (84 %: {})", change(of.median()), change(of.p84()))
+    } else {
+        format!("at most {}", change(of.largest()))
+    }
 }
 
 impl AssessmentReport {
@@ -63,38 +68,58 @@ impl AssessmentReport {
             )
         };
         let bumpers: Vec<String> = effect.bumpers.iter().map(one).collect();
-        let is_given = self.bumper_words.as_ref().is_some_and(|words| words.contains("k="));
-        let why = if is_given {
-            String::new()
-        } else {
-            format!(
-                ", half of the gap, the softest that stop the approach that 84 % of the runs do not exceed at {:.0} % of it",
-                100.0 * Bumper::COMPRESSION
-            )
-        };
-        let bumpers = format!("Bumpers at the given gap ({}{why})", bumpers.join("; "));
-        // Then the floors behind them hit, which no run models.
-        if effect.is_too_thin() {
-            return vec![format!(
-                "{bumpers} are compressed by more than their thickness in {} of {} runs: what is behind them then hits, which is left out, \
-                 so that their effect is not known.",
-                effect.too_thin, effect.runs
-            )];
-        }
-        let force = effect.force.as_ref();
-        let force = force.map_or_else(String::new, |force| format!("forces by {}, ", both(force)));
-        let thin = match effect.too_thin {
-            0 => "None is compressed by more than its thickness.".into(),
-            n => format!(
-                "In {n} of {} runs one is compressed by more than its thickness: what is behind it then hits, which is left out.",
+        let bumpers = bumpers.join("; ");
+        let through = match effect.too_thin {
+            0 => None,
+            n => Some(format!(
+                "compressed by more than their thickness in {n} of {} runs, and what is behind them then hits, which no run models",
                 effect.runs
-            ),
+            )),
         };
-        vec![format!(
-            "{bumpers} change {force}drifts by {}, accelerations by {} in the runs that touch. {thin}",
-            both(&effect.drift),
-            both(&effect.acceleration)
-        )]
+        let harm = effect.harm().map(|(harm, ratio)| {
+            let what = match harm {
+                BumperHarm::Force => "the largest force of a gap".into(),
+                BumperHarm::Drift(floor) => format!("the drift of {}", self.storey_name(floor)),
+                BumperHarm::Acceleration(floor) => format!("the acceleration of {}", self.floor_name(floor)),
+            };
+            format!("they make {what} up to {} times as large", two_digits(ratio))
+        });
+        // In this order, since nothing is known of a bumper that is compressed through.
+        let fault = through.map(|through| format!("they are {through}")).or(harm);
+        let unfounded = self.unfounded().filter(|_| self.is_proposed());
+        vec![match (unfounded, fault) {
+            (Some(why), _) => format!("No bumper is proposed: {why}."),
+            (None, Some(fault)) if self.is_proposed() => format!(
+                "No bumper is proposed: of bumpers half as thick as their gap none helps. {} to {} times the softest that stops two free floors \
+                 was tried; of the stiffest ({bumpers}): {fault}.",
+                digits(Bumper::TRIED[0]),
+                digits(Bumper::TRIED[Bumper::TRIED.len() - 1])
+            ),
+            (None, Some(fault)) => format!("Bumpers at the given gap ({bumpers}) are no solution: {fault}."),
+            (None, None) => {
+                let force = effect.force.as_ref();
+                let force = force.map_or_else(String::new, |force| format!("forces by {}, ", both(force)));
+                format!(
+                    "Bumpers at the given gap ({bumpers}) change {force}drifts by {}, accelerations by {} in the runs that touch. None is \
+                     compressed by more than its thickness, and no force, drift or acceleration becomes more than 10 % larger.",
+                    both(&effect.drift),
+                    both(&effect.acceleration)
+                )
+            }
+        }]
+    }
+
+    /// Whether the program chose the stiffness of the bumpers.
+    fn is_proposed(&self) -> bool {
+        let words = self.bumper_words.as_ref();
+        words.is_some_and(|words| words.contains("proposed"))
+    }
+
+    /// Whether bumpers have a result: none is compressed through, and proposed ones harm nothing.
+    pub(super) fn bumpers_hold(&self) -> bool {
+        let holds =
+            |effect: &BumperEffect| !effect.is_too_thin() && (!self.is_proposed() || (effect.helps() && self.unfounded().is_none()));
+        self.bumper.as_ref().is_some_and(holds)
     }
 
     /// The effect of bumpers for programs; null without bumpers.
@@ -112,7 +137,17 @@ impl AssessmentReport {
                 "thickness_m": one.thickness,
             })
         };
+        if !self.bumpers_hold() {
+            return json!({
+                "bumpers": if self.is_proposed() { Vec::new() } else { effect.bumpers.iter().map(bumper).collect() },
+                "helps": false,
+                "why": self.bumper_says(),
+                "runs": effect.runs,
+                "too_thin_runs": effect.too_thin,
+            });
+        }
         json!({
+            "helps": effect.helps(),
             "bumpers": effect.bumpers.iter().map(bumper).collect::<Vec<_>>(),
             "runs": effect.runs,
             "too_thin_runs": effect.too_thin,

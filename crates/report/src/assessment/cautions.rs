@@ -1,6 +1,6 @@
 //! What harms the answer of an assessment: in short beside it, and as warnings.
 
-use pounding_assess::{DesignSpectrum, TargetFit};
+use pounding_assess::{AssessedRun, Assessment, DesignSpectrum, Distribution, Scaling, TargetFit, beyond_belief};
 use pounding_scene::{Excess, Implausible};
 use pounding_text::{digits, short, two_decimals, two_digits};
 
@@ -28,13 +28,78 @@ impl AssessmentReport {
         }))
     }
 
-    /// What the answer rests on and should not, in a sentence before it, whether or not the gap is enough.
-    pub fn cautions(&self) -> Option<String> {
+    /// Sentences before the answer, whether or not the gap is enough: how records were raised, what is not believed and does not count, and
+    /// on what the answer rests and should not.
+    pub fn before(&self) -> Vec<String> {
+        let disbelieved = self.disbelieved();
+        self.raised().into_iter().chain(disbelieved).chain(self.cautions()).collect()
+    }
+
+    /// How much stronger all records are than their own factors make them.
+    pub fn raised(&self) -> Option<String> {
+        let Scaling::Raised { by, from, .. } = &self.scaling.to else {
+            return None;
+        };
+        let [from, least] = [*from, self.fit.as_ref()?.least().0].map(|share| (100.0 * share).floor());
+        Some(format!(
+            "With the factors of single records their mean spectrum has {from:.0} % of the target at worst. All numbers are therefore for \
+             records that are {} times as strong: {least:.0} %.",
+            digits(*by)
+        ))
+    }
+
+    /// Events whose runs are beyond belief, and do not count.
+    fn disbelieved(&self) -> Vec<String> {
+        let Assessment {
+            cases,
+            disbelieved,
+            disbelieved_alone,
+            ..
+        } = self.assessment;
+        let beside = disbelieved - disbelieved_alone;
+        let one = |n: usize, when: &str, of: fn(&AssessedRun) -> Option<&Excess>, what: &str| {
+            let found = self.motions.iter().filter_map(|motion| Some((motion, of(&motion.run)?)));
+            let all: Vec<_> = found.collect();
+            let worst = beyond_belief(all.iter().map(|(_, excess)| *excess))?;
+            let (motion, _) = all.iter().find(|(_, excess)| std::ptr::eq(*excess, worst))?;
+            let counts = if n == cases {
+                "nothing below is to be believed".into()
+            } else {
+                format!("{what} do not count below")
+            };
+            Some(format!(
+                "In {} a building would hardly stand {when} ({}: {}, under {}): {counts}.",
+                self.of_cases(n),
+                worst.name,
+                worst.kind.brief(worst.found),
+                motion.name
+            ))
+        };
+        let alone = (disbelieved_alone > 0).then(|| {
+            one(
+                disbelieved_alone,
+                "even alone, whatever the gap",
+                |run| run.disbelieved_alone.as_ref(),
+                "these",
+            )
+        });
+        let beside = (beside > 0).then(|| {
+            one(
+                beside,
+                "beside its neighbours",
+                |run| run.disbelieved_beside.as_ref(),
+                "forces and effects of these",
+            )
+        });
+        [alone, beside].into_iter().flatten().flatten().collect()
+    }
+
+    /// On what the answer rests and should not.
+    fn cautions(&self) -> Option<String> {
         let beyond = self.excesses().into_iter();
         let beyond = beyond.filter(|one| one.kind.is_caution());
         let mut said: Vec<String> = beyond.map(|one| one.brief()).collect();
-        let least = self.fit.as_ref().map(|fit| fit.least().0);
-        said.extend(least.filter(|share| *share < TargetFit::LEAST_SHARE).map(|share| {
+        said.extend(self.too_weak().map(|(share, _)| {
             let per_cent = (100.0 * share).floor();
             format!("the mean spectrum has {per_cent:.0} % of the target")
         }));
@@ -57,10 +122,12 @@ impl AssessmentReport {
             .collect();
         if !far.is_empty() {
             said.push(format!(
-                "scaled by less than {} or more than {}: {}; records that need such factors belong to other earthquakes",
+                "scaled by less than {} or more than {}: {}; records that need such factors belong to other earthquakes; \
+                 --max-scale {} leaves the strong ones out",
                 digits(Implausible::USUAL_FACTORS[0]),
                 digits(Implausible::USUAL_FACTORS[1]),
-                far.join(", ")
+                far.join(", "),
+                digits(Implausible::USUAL_FACTORS[1])
             ));
         }
         let events = self.assessment.events;
@@ -70,7 +137,8 @@ impl AssessmentReport {
                 n => format!("records of {n} events"),
             };
             said.push(format!(
-                "{found}: ASCE 7-16, 16.2.2, wants {ENOUGH} and EN 1998-1, 4.3.3.4.3, 7 for a mean; medians of so few say little"
+                "{found}: ASCE 7-16, 16.2.2, wants {ENOUGH}; EN 1998-1, 4.3.3.4.3, takes the mean of {} or more and the largest of fewer",
+                Distribution::ENOUGH
             ));
         }
         if self.motions.iter().all(|one| (one.run.scale - 1.0).abs() <= 0.0) {
@@ -82,26 +150,26 @@ impl AssessmentReport {
     /// What a mean spectrum below the target asks for.
     fn misfit(&self) -> Option<String> {
         let fit = self.fit.as_ref()?;
-        let (share, period) = fit.least();
-        let (share, what) = if share < TargetFit::LEAST_SHARE {
-            (share, format!("at {} s", two_digits(period)))
-        } else if fit.peak_share < 1.0 && matches!(self.target(), Some(DesignSpectrum::Eurocode8 { .. })) {
+        if let Some((share, period)) = self.too_weak() {
+            let raise = two_decimals((100.0 * TargetFit::LEAST_SHARE / share).ceil() / 100.0);
             return Some(format!(
+                "the mean spectrum of the scaled records, component by component, has {:.0} % of the target at {} s; EN 1998-1:2004, \
+                 3.2.3.1.2 (4) c, wants {:.0} % between 0.2 and 2 T_1: take records with a spectrum like the target, since records that are \
+                 {raise} times as strong would belong to other earthquakes. ASCE/SEI 7-16, 16.2.3.2, compares maximum-direction spectra \
+                 with MCE_R, which is not done here",
+                (100.0 * share).floor(),
+                two_digits(period),
+                100.0 * TargetFit::LEAST_SHARE
+            ));
+        }
+        let is_eurocode = matches!(self.scaling.to.target(), Some(DesignSpectrum::Eurocode8 { .. }));
+        (is_eurocode && fit.peak_share < 1.0).then(|| {
+            format!(
                 "the mean peak acceleration of the scaled records is {:.0} % of that of the target; EN 1998-1, 3.2.3.1.2 (4) b, wants all \
                  of it",
                 (100.0 * fit.peak_share).floor()
-            ));
-        } else {
-            return None;
-        };
-        Some(format!(
-            "the mean spectrum of the scaled records, component by component, has {:.0} % of the target {what}; EN 1998-1:2004, \
-             3.2.3.1.2 (4) c, wants {:.0} % between 0.2 and 2 T_1: take other records, or scale to {} times the target. ASCE/SEI 7-16, \
-             16.2.3.2, compares maximum-direction spectra with MCE_R, which is not done here",
-            (100.0 * share).floor(),
-            100.0 * TargetFit::LEAST_SHARE,
-            two_decimals((100.0 * TargetFit::LEAST_SHARE / share).ceil() / 100.0)
-        ))
+            )
+        })
     }
 
     /// Responses beyond the model or beyond codes, over all runs.

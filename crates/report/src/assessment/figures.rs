@@ -33,7 +33,7 @@ pub(super) fn all(report: &AssessmentReport) -> Vec<Illustration> {
     all.push(Illustration {
         name: NAMES[1],
         caption: format!(
-            "Part of the runs that need more than a gap, while every building stands alone. Dashed: the gaps of the scene.{}",
+            "Part of the events that need more than a gap, while every building stands alone. Dashed: the gaps of the scene.{}",
             beyond(report)
         ),
         drawn: render_both(&share(report)),
@@ -49,7 +49,7 @@ pub(super) fn all(report: &AssessmentReport) -> Vec<Illustration> {
         all.push(Illustration {
             name: NAMES[3],
             caption:
-                "Gap that each of the neighbours needs that the unknown one may be, over its first period. Discs: median of the runs; \
+                "Gap that each of the neighbours needs that the unknown one may be, over its first period. Discs: median of the events; \
                       lines: to what 84 % of them do not exceed; crosses: the largest. Dashed: the gap of the scene."
                     .into(),
             drawn: render_both(&figure),
@@ -58,10 +58,11 @@ pub(super) fn all(report: &AssessmentReport) -> Vec<Illustration> {
     if let Some(figure) = amplification(report) {
         all.push(Illustration {
             name: NAMES[4],
-            caption: "Peak drift, shear force and acceleration of the storeys beside their neighbours, as multiples of those of the same \
-                      building alone (dashed: 1), over the runs in which the building touches. Discs: median, with the contact of the scene. \
-                      Lines of drift and shear: to what 84 % do not exceed; of acceleration: from the median with the contact that gives \
-                      least to what 84 % do not exceed with the one that gives most."
+            caption: "Peak drift and shear force of the storeys, and peak acceleration of the floors above them, beside their neighbours, as \
+                      multiples of those of the same building alone (dashed: 1), over the events in which the building touches. Discs: \
+                      median, with the contact of the scene. Lines of drift and shear: to what 84 % do not exceed, or to the largest of fewer \
+                      than seven events; of acceleration: from the median with the contact that gives least to this number with the one \
+                      that gives most."
                 .into(),
             drawn: render_both(&figure),
         });
@@ -145,7 +146,7 @@ fn by_neighbour(report: &AssessmentReport) -> Option<Figure> {
         let point = |one: &OfNeighbour| (one.drawn.period_s, 1e3 * width(&one.required));
         points.map(point).collect()
     };
-    let (median, most, all) = (of(Distribution::median), of(Distribution::p84), of(Distribution::largest));
+    let (median, most, all) = (of(Distribution::median), of(Distribution::upper), of(Distribution::largest));
     let widest = all.iter().map(|point| point.1).fold(0.0, f64::max);
     let end = 1.05 * widest.max(1e3 * own.unwrap_or(GapAssessment::BUILT_IN_STEPS_OF));
     for (from, to) in median.iter().zip(most) {
@@ -196,8 +197,8 @@ fn amplification(report: &AssessmentReport) -> Option<Figure> {
             let of = [&one.drift, &one.shear, &one.acceleration][response];
             let y = place as f64;
             let (from, to) = match response {
-                2 => (one.acceleration_range[0].median(), one.acceleration_range[1].p84()),
-                _ => (of.median(), of.p84()),
+                2 => (one.acceleration_range[0].median(), one.acceleration_range[1].upper()),
+                _ => (of.median(), of.upper()),
             };
             curves.push(Curve::new(CurveKind::Line, Shade::Vermilion, vec![(from, y), (to, y)]));
             medians.push((of.median(), y));

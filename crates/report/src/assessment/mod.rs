@@ -3,7 +3,9 @@
 mod answer;
 mod bumper;
 mod cautions;
+mod consequences;
 mod figures;
+mod gap_answers;
 mod numbers;
 mod of_lines;
 mod page;
@@ -15,7 +17,7 @@ mod words;
 use std::collections::BTreeMap;
 
 use pounding_assess::{
-    AssessedRun, Assessment, Bumper, BumperEffect, BumperRun, DesignSpectrum, MotionSpectrum, Rule, RunOfCase, Scaling, TargetFit,
+    AssessedRun, Assessment, Bumper, BumperCase, BumperEffect, BumperRun, MotionSpectrum, Rule, RunOfCase, Scaling, TargetFit,
 };
 use pounding_scene::file::DrawnNeighbour;
 use pounding_scene::{Error, Floors, Scene};
@@ -148,13 +150,23 @@ impl AssessmentReport {
         Self { asked, ..self }
     }
 
-    /// With bumpers that the motions were run with, and how they were asked for if not by default.
+    /// With bumpers that the motions were run with, and how they were asked for if not by default. Runs that are not believed do not count.
     #[must_use]
     pub fn with_bumpers(self, bumpers: &[Bumper], words: Option<String>) -> Self {
-        let runs: Vec<(&AssessedRun, &BumperRun)> = self
-            .motions
+        let runs = runs_of_cases(&self.motions);
+        let of_case = |(motion, run): (&AssessedMotion, &RunOfCase<'_>)| {
+            let believed = motion.run.disbelieved_alone.is_none() && motion.run.disbelieved_beside.is_none();
+            believed.then_some(())?;
+            Some((run.case(), motion.bumper.clone()?, motion.run.clone()))
+        };
+        let runs: Vec<_> = self.motions.iter().zip(&runs).filter_map(of_case).collect();
+        let runs: Vec<BumperCase<'_>> = runs
             .iter()
-            .filter_map(|one| Some((&one.run, one.bumper.as_ref()?)))
+            .map(|(case, with, without)| BumperCase {
+                case: *case,
+                without,
+                with,
+            })
             .collect();
         let bumper = BumperEffect::of(&self.floors, bumpers, &runs);
         Self {
@@ -191,10 +203,8 @@ impl AssessmentReport {
     /// Returns the report with the target of scaling.
     #[must_use]
     pub fn with_scaling(self, scaling: ScalingAsked) -> Self {
-        let fit = match &scaling.to {
-            Scaling::Target(target) => TargetFit::of(&self.asked, target, &self.spectra()),
-            Scaling::AsScene | Scaling::Unscaled | Scaling::To(_) => None,
-        };
+        let target = scaling.to.target();
+        let fit = target.and_then(|target| TargetFit::of(&self.asked, target, &self.spectra()));
         Self { scaling, fit, ..self }
     }
 
@@ -208,14 +218,6 @@ impl AssessmentReport {
         }
         let spectra = once.into_iter();
         spectra.filter_map(|one| one.spectrum.as_ref()).collect()
-    }
-
-    /// The spectrum that records were scaled to, if any.
-    pub(super) fn target(&self) -> Option<&DesignSpectrum> {
-        match &self.scaling.to {
-            Scaling::Target(target) => Some(target),
-            Scaling::AsScene | Scaling::Unscaled | Scaling::To(_) => None,
-        }
     }
 
     /// With an author and a date for the page.

@@ -2,7 +2,7 @@
 
 use pounding_assess::{Distribution, GapAssessment};
 use pounding_scene::file::{DrawnNeighbour, UnknownNeighbour};
-use pounding_text::{digits, millimetres, two_decimals};
+use pounding_text::{digits, millimetres, millimetres_up, two_decimals};
 use serde_json::{Value, json};
 
 use super::AssessmentReport;
@@ -11,7 +11,7 @@ use super::tables::statistics;
 /// Probabilities whose width is reported \[–\].
 const PROBABILITIES: [f64; 4] = [0.5, 0.84, 0.95, 1.0];
 
-/// A neighbour that was drawn, over all motions and directions.
+/// A neighbour that was drawn, over all events.
 pub(super) struct OfNeighbour {
     pub(super) drawn: DrawnNeighbour,
     /// Width that its gap needs \[m\].
@@ -45,11 +45,11 @@ impl AssessmentReport {
             }
         }
         let of = |drawn: DrawnNeighbour| {
-            let own = self.motions.iter().filter(|motion| motion.neighbour == Some(drawn));
-            let own = own.map(|motion| &motion.run);
-            let needed = own.clone().filter_map(|run| {
-                let mut gaps = run.separations.iter();
-                gaps.find(|one| one.left == gap.left).map(|one| one.required)
+            let of_events = self.motions.iter().filter(|motion| motion.neighbour == Some(drawn));
+            let own = of_events.clone().map(|motion| &motion.run);
+            let needed = of_events.filter_map(|motion| {
+                let mut gaps = motion.run.separations.iter();
+                gaps.find(|one| one.left == gap.left).map(|one| ([motion.event, 0], one.required))
             });
             let facing = self.floors.facing().iter().enumerate();
             let pairs: Vec<usize> = facing
@@ -59,7 +59,7 @@ impl AssessmentReport {
             let touches = |run: &&pounding_assess::AssessedRun| pairs.iter().any(|pair| run.pairs[*pair].collisions > 0);
             Some(OfNeighbour {
                 drawn,
-                required: Distribution::of(needed)?,
+                required: Distribution::of_cases(needed)?,
                 touching: own.filter(touches).count(),
             })
         };
@@ -104,9 +104,9 @@ impl AssessmentReport {
                 format!("{own} mm is enough in every run beside {free} of them. ")
             });
             said.push(format!(
-                "{enough}Most is needed beside one with a period of {} s: {} mm in the median.",
+                "{enough}Most is needed beside one with a period of {} s: {} mm.",
                 two_decimals(drawn.period_s),
-                millimetres(required.median())
+                millimetres_up(required.largest())
             ));
         }
         said

@@ -3,13 +3,13 @@
 use pounding_assess::{AssessedFloor, Distribution, FloorPeaks};
 use pounding_plot::{Curve, CurveKind, Figure, Mark, Shade};
 
-use super::AssessmentReport;
+use super::{AssessmentReport, runs_of_cases};
 use crate::figures::profiles::{MOST, of_storeys, over, panels};
 use crate::figures::unit;
 
-pub(super) const CAPTION: &str = "Peak storey drift and shear force over the height of the buildings, over all runs in both directions. \
-                                  Dashed: alone. Lines with marks: beside the neighbours, with the contact of the scene. Blue: the \
-                                  median; orange: what 84 % of the runs do not exceed.";
+pub(super) const CAPTION: &str = "Peak storey drift and shear force over the height of the buildings. Dashed: alone. Lines with marks: beside \
+                                  the neighbours, with the contact of the scene. Blue: the median of the events; orange: what 84 % of them do \
+                                  not exceed, or the largest of fewer than seven events.";
 
 /// `None` if no building has several storeys.
 pub(super) fn figure(report: &AssessmentReport) -> Option<Figure> {
@@ -56,21 +56,28 @@ struct Response {
 impl Response {
     fn curves(&self, report: &AssessmentReport, building: usize) -> Vec<Curve> {
         let floors = report.floors.of_structure(building);
-        let line = |side: fn(&AssessedFloor) -> &FloorPeaks, quantile: f64| {
+        let cases = runs_of_cases(&report.motions);
+        let line = |side: fn(&AssessedFloor) -> &FloorPeaks, of: fn(&Distribution) -> f64| {
             over(floors, |floor| {
-                let runs = report.motions.iter().map(|one| &one.run.floors[floor]);
-                let all = Distribution::of(runs.map(|one| self.factor * (self.of)(side(one))));
-                all.map_or(0.0, |all| all.quantile(quantile))
+                let runs = cases.iter().map(|one| (one.case(), &one.run.floors[floor]));
+                let all = Distribution::of_cases(runs.map(|(case, one)| (case, self.factor * (self.of)(side(one)))));
+                all.map_or(0.0, |all| of(&all))
             })
         };
+        let upper = if report.assessment.cases < Distribution::ENOUGH {
+            "largest"
+        } else {
+            "84 %"
+        };
+        let [alone_upper, beside_upper] = ["alone", "beside"].map(|side| format!("{side}, {upper}"));
         let alone: fn(&AssessedFloor) -> &FloorPeaks = |floor| &floor.alone;
         let beside: fn(&AssessedFloor) -> &FloorPeaks = |floor| &floor.beside;
         let curve = |kind, shade, points, name: &str| Curve::new(kind, shade, points).named(name);
         vec![
-            curve(CurveKind::Dashed, Shade::Blue, line(alone, 0.5), "alone, median"),
-            curve(CurveKind::Line, Shade::Blue, line(beside, 0.5), "beside, median").marked(Mark::Disc),
-            curve(CurveKind::Dashed, Shade::Vermilion, line(alone, 0.84), "alone, 84 %"),
-            curve(CurveKind::Line, Shade::Vermilion, line(beside, 0.84), "beside, 84 %").marked(Mark::Square),
+            curve(CurveKind::Dashed, Shade::Blue, line(alone, Distribution::median), "alone, median"),
+            curve(CurveKind::Line, Shade::Blue, line(beside, Distribution::median), "beside, median").marked(Mark::Disc),
+            curve(CurveKind::Dashed, Shade::Vermilion, line(alone, Distribution::upper), &alone_upper),
+            curve(CurveKind::Line, Shade::Vermilion, line(beside, Distribution::upper), &beside_upper).marked(Mark::Square),
         ]
     }
 }

@@ -15,20 +15,24 @@ const MOST: usize = 6;
 pub(super) fn statistics(of: &Distribution) -> Value {
     json!({
         "median": of.median(),
-        "p84": of.p84(),
+        "p84": of.has_quantiles().then(|| of.p84()),
         "largest": of.largest(),
         "dispersion": of.dispersion(),
     })
 }
 
-/// Median and 84 % of ratios.
+/// Median and 84 % of ratios; of few the largest.
 pub(super) fn both(of: &Distribution) -> String {
-    format!("{} / {}", two_decimals(of.median()), two_decimals(of.p84()))
+    if of.has_quantiles() {
+        format!("{} / {}", two_decimals(of.median()), two_decimals(of.p84()))
+    } else {
+        two_decimals(of.largest())
+    }
 }
 
-/// The median with the contact that gives least, and the largest with the one that gives most, in thousands.
+/// The largest with the contact that gives least, and with the one that gives most, in thousands.
 fn range(of: Option<&[Distribution; 2]>) -> Shown {
-    of.map(|[low, high]| format!("{} to {}", two_digits(1e-3 * low.median()), two_digits(1e-3 * high.largest())))
+    of.map(|[low, high]| format!("{} to {}", two_digits(1e-3 * low.largest()), two_digits(1e-3 * high.largest())))
         .into()
 }
 
@@ -52,7 +56,7 @@ impl AssessmentReport {
             "event" => "Events that touch",
             _ => "Cases that touch",
         };
-        Table::of(&self.assessment.gaps)
+        let table = Table::of(&self.assessment.gaps)
             .shown("Gap", |gap| self.between(gap))
             .column("left", |gap| self.gap_names(gap)[0])
             .column("right", |gap| self.gap_names(gap)[1])
@@ -63,17 +67,36 @@ impl AssessmentReport {
                 |gap| gap.touching,
                 |gap| format!("{} of {}", gap.touching, self.assessment.cases),
             )
-            .column("touching_runs", |gap| gap.touching_runs)
-            .number("required_m.median", "Median", &Unit::NEEDED, |gap| gap.required.median())
-            .number("required_m.p84", "84 %", &Unit::NEEDED, |gap| gap.required.p84())
+            .column("touching_runs", |gap| gap.touching_runs);
+        self.quantiles(table, "required_m", &Unit::NEEDED, |gap| &gap.required)
             .number("required_m.largest", "Largest", &Unit::NEEDED, |gap| gap.required.largest())
             .number("required_m.dispersion", "Spread σ ln", &Unit::RATIO, |gap| {
                 gap.required.dispersion()
             })
             .column("required_sorted_m", |gap| json!(gap.required))
             .column("beside_columns_m", |gap| Cell::exact(gap.beside_columns))
-            .number("proposed_m", "Proposed", &Unit::WIDTH, |gap| gap.proposal())
+            .number("proposed_m", "Proposed", &Unit::WIDTH, |gap| self.proposal(gap))
             .column("rules", |gap| self.rules_of(gap).json())
+    }
+
+    /// Adds the median and what 84 % do not exceed. People read them only of enough events.
+    fn quantiles<'a, Row: 'a>(
+        &self,
+        table: Table<'a, Row>,
+        name: &str,
+        unit: &'static Unit,
+        of: impl Fn(&Row) -> &'a Distribution + Copy + 'a,
+    ) -> Table<'a, Row> {
+        let [median, p84] = ["median", "p84"].map(|statistic| format!("{name}.{statistic}"));
+        if self.assessment.believed_alone().max(1) >= Distribution::ENOUGH {
+            table
+                .number(median, "Median", unit, move |row| of(row).median())
+                .number(p84, "84 %", unit, move |row| of(row).p84())
+        } else {
+            table
+                .column(median, move |row| Cell::exact(of(row).median()))
+                .column(p84, move |row| Cell::exact(of(row).has_quantiles().then(|| of(row).p84())))
+        }
     }
 
     fn rules_of<'a>(&'a self, gap: &'a GapAssessment) -> Table<'a, RuleOfGap<'a>> {
@@ -87,21 +110,20 @@ impl AssessmentReport {
     }
 
     fn of_rules<'a>(&'a self, rules: impl Iterator<Item = RuleOfGap<'a>>) -> Table<'a, RuleOfGap<'a>> {
-        Table::of(rules)
+        let table = Table::of(rules)
             .shown("Gap", |(gap, _)| self.between(gap))
             .both("rule", "Rule", |(_, rule)| rule.rule.name(), |(_, rule)| rule.rule.name())
             .column("cited", |(_, rule)| rule.rule.cited())
             .column("width_m.asked", |(_, rule)| Cell::exact(rule.asked().0))
-            .column("asked_is_mean", |(_, rule)| rule.asked().1)
-            .number("width_m.median", "Median", &Unit::WIDTH, |(_, rule)| rule.width.median())
-            .number("width_m.p84", "84 %", &Unit::WIDTH, |(_, rule)| rule.width.p84())
+            .column("asked_is_mean", |(_, rule)| rule.asked().1);
+        self.quantiles(table, "width_m", &Unit::WIDTH, |(_, rule)| &rule.width)
             .number("width_m.largest", "Largest", &Unit::WIDTH, |(_, rule)| rule.width.largest())
             .column("width_m.dispersion", |(_, rule)| Cell::exact(rule.width.dispersion()))
             .both(
                 "too_narrow",
                 "Too narrow",
                 |(_, rule)| rule.too_narrow,
-                |(_, rule)| format!("{} of {}", rule.too_narrow, self.assessment.cases),
+                |(_, rule)| format!("{} of {}", rule.too_narrow, rule.width.sorted().len()),
             )
             .number("least_share", "At worst", &Unit::WHOLE_PERCENT, |(_, rule)| rule.least_share)
     }
@@ -109,8 +131,13 @@ impl AssessmentReport {
     /// The effects of touching on these storeys.
     pub(super) fn storeys<'a>(&'a self, floors: Vec<(usize, &'a FloorAssessment)>) -> Table<'a, (usize, &'a FloorAssessment)> {
         let floor = |index: usize| &self.floors.all()[index];
+        let heading = match self.assessment.cases {
+            n if n >= Distribution::ENOUGH => "When they touch, median / 84 %".into(),
+            1 => format!("When they touch, the only {}", self.sample()),
+            n => format!("When they touch, largest of {n} {}s", self.sample()),
+        };
         Table::of(floors)
-            .shown("When they touch, median / 84 %", move |(index, _)| floor(*index).name.as_str())
+            .shown(heading, move |(index, _)| self.storey_name(*index))
             .column("building", move |(index, _)| self.scene.structures[floor(*index).structure].name())
             .column("floor", move |(index, _)| floor(*index).storey.unwrap_or(1))
             .both(
@@ -128,11 +155,11 @@ impl AssessmentReport {
             .column("acceleration_amplification", |(_, one)| statistics(&one.acceleration))
             .both(
                 "acceleration_amplification_over_stiffness",
-                "Acceleration × alone, range",
+                "Acceleration of its floor × alone, range",
                 |(_, one)| ends(Some(&one.acceleration_range)),
                 |(_, one)| {
                     let [least, largest] = &one.acceleration_range;
-                    format!("{} to {}", two_decimals(least.median()), two_decimals(largest.p84()))
+                    format!("{} to {}", two_decimals(least.upper()), two_decimals(largest.upper()))
                 },
             )
             .number("largest_drift_m", "Largest drift", &Unit::WIDTH, |(_, one)| one.largest_drift)
@@ -203,7 +230,7 @@ impl AssessmentReport {
             [facing.left, facing.right].map(|floor| self.floor_name(floor))
         };
         let statistic = |of: &Option<Distribution>| Cell::from(of.as_ref().map(statistics));
-        let median = |of: &Option<Distribution>| Shown::from(of.as_ref().map(|of| two_digits(1e-3 * of.median())));
+        let largest = |of: &Option<Distribution>| Shown::from(of.as_ref().map(|of| two_digits(1e-3 * of.largest())));
         let pairs = effect.pairs.iter().enumerate();
         Table::of(pairs.filter_map(|(index, one)| Some((index, one.as_ref()?))))
             .shown("With bumpers", move |(index, _)| names(*index).join(" – "))
@@ -211,15 +238,15 @@ impl AssessmentReport {
             .column("right", move |(index, _)| names(*index)[1].clone())
             .both(
                 "peak_force_without_bumper_n",
-                ("Force without, median", "kN"),
+                ("Largest force without", "kN"),
                 move |(_, one)| statistic(&one.force_without),
-                move |(_, one)| median(&one.force_without),
+                move |(_, one)| largest(&one.force_without),
             )
             .both(
                 "peak_force_with_bumper_n",
-                ("With, median", "kN"),
+                ("With", "kN"),
                 move |(_, one)| statistic(&one.force_with),
-                move |(_, one)| median(&one.force_with),
+                move |(_, one)| largest(&one.force_with),
             )
             .number("bumper_compression_m", "Compressed by up to", &Unit::WIDTH, |(_, one)| {
                 one.compression
@@ -232,9 +259,9 @@ impl AssessmentReport {
         Table::of(floors.filter_map(|(index, one)| Some((index, one.as_ref()?))))
             .both(
                 "floor",
-                "With bumpers over without, median / 84 %",
+                "With bumpers over without",
                 |(index, _)| self.floor_name(*index),
-                |(index, _)| self.floor_name(*index),
+                |(index, _)| self.storey_name(*index),
             )
             .both(
                 "drift_with_over_without",
@@ -244,7 +271,7 @@ impl AssessmentReport {
             )
             .both(
                 "acceleration_with_over_without",
-                "Acceleration",
+                "Acceleration of its floor",
                 |(_, one)| statistics(&one.acceleration),
                 |(_, one)| both(&one.acceleration),
             )

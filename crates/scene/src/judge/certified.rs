@@ -88,7 +88,7 @@ impl Certificate {
             ("impulse_n_s", "impulse", "N·s", impulse),
             ("peak_force_n", "peak force", "N", peak),
             ("max_deformation_m", "largest deformation", "m", deepest),
-            ("contact_duration_s", "duration of contact", "s", duration),
+            ("contact_duration_s", "duration of collision", "s", duration),
         ];
         facts.extend(numbers.map(number));
         let parameters = serde_json::to_string(&certificate.law).expect("a law is plain data");

@@ -12,7 +12,7 @@ impl Simulation {
         let openings = self.openings();
         let contacts = self.scene().contacts.as_deref();
         let mut columns = 0;
-        let judged = |one: UnwatchedFloor| {
+        let mut judged = |one: UnwatchedFloor| {
             let kind = match contacts {
                 Some(_) if one.is_at_ground() => ExcessKind::AtFoot,
                 None => ExcessKind::BesideColumn,

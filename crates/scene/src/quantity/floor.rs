@@ -38,11 +38,11 @@ quantities! {
         ..QuantityEntry::instant(|run, floor| Some(run.peaks(floor)?.storey_drift?.time))
     };
     ResidualDisplacementAtEndM("residual_displacement_at_end_m", "Displacement at the end of the run; free vibration that has not died away is in it.") =
-        QuantityEntry::new(&Unit::METRE, "Residual at end", |run, floor| run.moves(floor).then(|| run.last(floor)))
+        QuantityEntry::new(&Unit::RESIDUAL, "Residual at end", |run, floor| run.moves(floor).then(|| run.last(floor)))
             .kind(QuantityKind::Residual(FloorQuantity::PeakDisplacementM)).measured(QuantityGroup::Displacement, "end displacement");
     ResidualDriftAtEndM("residual_drift_at_end_m", "Storey drift at the end of the run; none of a storey on the ground.") = QuantityEntry {
         on_ground: Some(FloorQuantity::ResidualDisplacementAtEndM),
-        ..QuantityEntry::new(&Unit::METRE, "Residual at end", |run, floor| Some(run.last(floor) - run.last(run.below(floor)?)))
+        ..QuantityEntry::new(&Unit::RESIDUAL, "Residual at end", |run, floor| Some(run.last(floor) - run.last(run.below(floor)?)))
             .kind(QuantityKind::Residual(FloorQuantity::PeakDriftM)).measured(QuantityGroup::Displacement, "end drift")
     };
     PeakAccelerationMPerS2("peak_acceleration_m_per_s2", "Absolute acceleration of largest magnitude, without impulsive impacts.") =

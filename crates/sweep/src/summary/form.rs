@@ -15,8 +15,28 @@ pub(crate) struct Form {
     pub(super) by: Vec<By>,
     pub(super) columns: Vec<Summed>,
     pub(super) quantiles: Vec<f64>,
+    /// Events of the motions; `None` if all runs have one motion.
+    #[serde(default)]
+    pub(super) events: Option<EventsOfMotions>,
     /// Whether rows are written, too.
     pub(crate) rows: bool,
+}
+
+/// Events of the motions of a sweep.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct EventsOfMotions {
+    /// The event of every motion: both directions and all components of a record are one event.
+    pub(super) of_motion: Vec<usize>,
+    /// Number of successive runs with a motion.
+    pub(super) runs: u64,
+}
+
+impl EventsOfMotions {
+    /// Index of the motion of a run.
+    pub(super) fn motion_of(&self, run: u64) -> usize {
+        usize::try_from(run / self.runs).unwrap_or(usize::MAX)
+    }
 }
 
 /// Values of a sweep that take turns.
@@ -80,6 +100,7 @@ impl Form {
             by: by.collect(),
             columns,
             quantiles: words.quantiles.clone(),
+            events: None,
             rows: words.rows,
         })
     }
@@ -141,7 +162,9 @@ fn chosen<'l>(by: &[String], listed: &'l [Listed]) -> Result<Vec<&'l Listed>, Re
 
 /// Sets thresholds of a quantity, or of a column.
 fn count_above(found: &str, thresholds: &[f64], columns: &mut [Summed]) -> Result<(), Refused> {
-    let is_named = |column: &&mut Summed| column.quantity == found || column.name == found;
+    // Names of pairs are told with a dash, too.
+    let plain = found.replace(" – ", " - ");
+    let is_named = |column: &&mut Summed| column.quantity == found || column.name == plain;
     let mut is_known = false;
     for column in columns.iter_mut().filter(is_named) {
         is_known = true;

@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use super::form::{Form, Listed, Summed};
+use super::form::{EventsOfMotions, Form, Listed, Summed};
 use super::tally::Tally;
 use crate::Sweep;
 use crate::summary_file::Summary;
@@ -23,7 +23,12 @@ impl Sweep {
                 self.motions.all[place * n_directions].name.clone()
             }
         };
-        Form::of(words, &listed, value, self.summed_columns())
+        let events = (self.motions.all.len() > 1).then(|| EventsOfMotions {
+            of_motion: self.motions.all.iter().map(|motion| motion.event).collect(),
+            runs: self.n_runs() / self.motions.all.len() as u64,
+        });
+        let form = Form::of(words, &listed, value, self.summed_columns())?;
+        Ok(Form { events, ..form })
     }
 
     /// Possible axes of cells: the motion, and every field with a list of values.

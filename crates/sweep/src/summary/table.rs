@@ -1,6 +1,6 @@
 //! Output of a summary: a tidy table, and a few numbers for people.
 
-use pounding_assess::wilson;
+use pounding_assess::{Distribution, wilson_of};
 use pounding_text::{Cell, CellKind, Table};
 use serde_json::Value;
 
@@ -41,9 +41,11 @@ pub struct SummedColumn {
     pub mean: Option<f64>,
     /// Standard deviation, with n − 1; `None` for fewer than two numbers.
     pub standard_deviation: Option<f64>,
-    /// Bounds of the median.
+    /// Number of independent samples among the runs: of several events, that of the events.
+    pub samples: u64,
+    /// Bounds of the median; `None` for fewer than [`Distribution::ENOUGH`] samples, which have no quantiles.
     pub median: Option<(f64, f64)>,
-    /// Bounds of the 84 % quantile.
+    /// Bounds of the 84 % quantile; `None` as for the median.
     pub p84: Option<(f64, f64)>,
     /// The largest number.
     pub largest: Option<f64>,
@@ -58,7 +60,7 @@ pub struct Exceedance {
     pub threshold: f64,
     /// Part of the runs that succeeded \[–\].
     pub probability: f64,
-    /// 95 % bounds of the probability for independent runs \[–\].
+    /// 95 % bounds of the probability \[–\]. Both directions and all components of a record count as one sample.
     pub bounds: (f64, f64),
 }
 
@@ -121,7 +123,7 @@ impl SummaryTable {
     fn lines(&self) -> impl Iterator<Item = (u64, SummaryLine)> {
         let known = self.known();
         self.tally.cells.iter().flat_map(move |(cell, tally)| {
-            let mut lines = of_runs(tally);
+            let mut lines = of_runs(tally, &self.form);
             let columns = self.form.columns.iter().zip(&tally.columns).zip(&known);
             for ((of, column), is_known) in columns {
                 self.of_column(tally, *is_known, of, column, &mut lines);
@@ -176,7 +178,7 @@ impl SummaryTable {
             let bounds = numbers.quantile(*part);
             line("quantile", Some(*part), bounds.map(middle), bounds);
         }
-        for one in exceedances(cell, is_known, of, column) {
+        for one in exceedances(&self.form, cell, is_known, of, column) {
             let Exceedance {
                 threshold,
                 probability,
@@ -233,17 +235,20 @@ impl SummaryTable {
 
     fn summed(&self, cell: &CellTally) -> Vec<SummedColumn> {
         let columns = self.form.columns.iter().zip(&cell.columns).zip(self.known());
+        let samples = cell.samples(&self.form);
         let summed = |((of, column), is_known): ((&Summed, &ColumnTally), bool)| {
             let (numbers, sums) = (&column.numbers, Sums::of(&column.numbers));
+            let quantile = |part| numbers.quantile(part).filter(|_| samples >= Distribution::ENOUGH as u64);
             SummedColumn {
                 name: name_of(of),
                 numbers: numbers.count(),
                 mean: sums.mean(),
                 standard_deviation: sums.deviation(),
-                median: numbers.quantile(0.5),
-                p84: numbers.quantile(0.84),
+                samples,
+                median: quantile(0.5),
+                p84: quantile(0.84),
                 largest: numbers.ends().map(|ends| ends.1),
-                exceedances: exceedances(cell, is_known, of, column),
+                exceedances: exceedances(&self.form, cell, is_known, of, column),
             }
         };
         columns.map(summed).collect()
@@ -251,7 +256,7 @@ impl SummaryTable {
 }
 
 /// Number of runs of a cell, and their results.
-fn of_runs(cell: &CellTally) -> Vec<SummaryLine> {
+fn of_runs(cell: &CellTally, form: &Form) -> Vec<SummaryLine> {
     let counts = [
         ("runs", cell.runs),
         ("failed", cell.failed),
@@ -266,21 +271,25 @@ fn of_runs(cell: &CellTally) -> Vec<SummaryLine> {
         value: Some(count as f64),
         bounds: None,
     };
-    counts.map(line).into()
+    let samples = form.events.as_ref().map(|_| ("samples", cell.samples(form)));
+    counts.into_iter().chain(samples).map(line).collect()
 }
 
 /// Exceedances of each threshold; a run without the number does not exceed it. Empty if no run of the sweep has the number, or all runs of
 /// the cell failed.
-fn exceedances(cell: &CellTally, is_known: bool, of: &Summed, column: &ColumnTally) -> Vec<Exceedance> {
+fn exceedances(form: &Form, cell: &CellTally, is_known: bool, of: &Summed, column: &ColumnTally) -> Vec<Exceedance> {
     let runs = cell.runs - cell.failed;
     if !is_known || runs == 0 {
         return Vec::new();
     }
     let above = of.thresholds.iter().zip(&column.above);
-    let exceedance = |(threshold, above): (&f64, &u64)| Exceedance {
-        threshold: *threshold,
-        probability: *above as f64 / runs as f64,
-        bounds: wilson(*above, runs),
+    let exceedance = |(threshold, above): (&f64, &u64)| {
+        let probability = *above as f64 / runs as f64;
+        Exceedance {
+            threshold: *threshold,
+            probability,
+            bounds: wilson_of(probability, cell.samples(form)),
+        }
     };
     above.map(exceedance).collect()
 }

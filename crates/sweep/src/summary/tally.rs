@@ -1,6 +1,6 @@
 //! Stored sums of runs, cell by cell. Merged tallies do not depend on the order.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
 
 use serde::{Deserialize, Serialize};
@@ -32,6 +32,9 @@ pub(super) struct CellTally {
     pub(super) ledger: u64,
     pub(super) beside: u64,
     pub(super) both: u64,
+    /// Motions of the runs, by their index; empty if all runs of the sweep have one.
+    #[serde(default, skip_serializing_if = "BTreeSet::is_empty")]
+    pub(super) motions: BTreeSet<usize>,
     pub(super) columns: Vec<ColumnTally>,
 }
 
@@ -55,6 +58,7 @@ impl Tally {
             let places = place(run)..place(next);
             let cell = self.cell(form, run);
             cell.runs += next - run;
+            cell.shake(form, run, next);
             for checked in &batch.checked[places.clone()] {
                 cell.check(*checked);
             }
@@ -90,6 +94,7 @@ impl Tally {
         };
         let cell = self.cell(form, run);
         cell.runs += 1;
+        cell.shake(form, run, run + 1);
         for (index, (column, of)) in cell.columns.iter_mut().zip(&form.columns).enumerate() {
             let number = row[first + index].parse().unwrap_or(f64::NAN);
             column.add(of, &[number]);
@@ -180,7 +185,29 @@ impl CellTally {
             ledger: 0,
             beside: 0,
             both: 0,
+            motions: BTreeSet::new(),
             columns: columns.collect(),
+        }
+    }
+
+    /// Notes the motions of runs, of which there is at least one.
+    fn shake(&mut self, form: &Form, first: u64, end: u64) {
+        if let Some(events) = &form.events {
+            self.motions.extend(events.motion_of(first)..=events.motion_of(end - 1));
+        }
+    }
+
+    /// Number of independent samples among the runs that succeeded. Runs under one event are no more than one sample; under a single event
+    /// every set of values is one.
+    pub(super) fn samples(&self, form: &Form) -> u64 {
+        let runs = self.runs - self.failed;
+        let Some(events) = &form.events else {
+            return runs;
+        };
+        let of = self.motions.iter().filter_map(|motion| events.of_motion.get(*motion));
+        match of.collect::<BTreeSet<_>>().len() as u64 {
+            0 | 1 => runs.div_ceil((self.motions.len() as u64).max(1)),
+            n => n.min(runs),
         }
     }
 
@@ -199,6 +226,7 @@ impl CellTally {
         self.ledger += other.ledger;
         self.beside += other.beside;
         self.both += other.both;
+        self.motions.extend(&other.motions);
         for (column, other) in self.columns.iter_mut().zip(&other.columns) {
             column.merge(other);
         }

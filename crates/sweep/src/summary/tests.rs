@@ -1,11 +1,11 @@
 //! Summaries of runs in any parts and any order, compared with their single numbers.
 
 use num_bigint::{BigInt, BigUint};
-use pounding_assess::Distribution;
+use pounding_assess::{Distribution, wilson_of};
 use proptest::prelude::*;
 
 use super::exact::Sums;
-use super::form::{By, Form, Summed};
+use super::form::{By, EventsOfMotions, Form, Summed};
 use super::octaves::Octaves;
 use super::table::{SummaryTable, middle};
 use super::tally::Tally;
@@ -24,6 +24,7 @@ fn form(thresholds: &[f64]) -> Form {
         thresholds: thresholds.into(),
     };
     Form {
+        events: None,
         by: vec![By {
             name: "gap".into(),
             values: vec!["0.1".into(), "0.2".into()],
@@ -223,4 +224,33 @@ fn extreme_rows_of_another_form() {
     for wrong in ["", "0,1\n", "0,a,false,1,2,beside,\n", "0,1,2,,\n1,1,2,,\n2,1,2,,\n"] {
         assert!(!add(wrong), "{wrong}");
     }
+}
+
+/// Both directions of a record counted as two independent runs: the bounds of a fragility were too narrow, and percentiles stood for three
+/// events.
+#[test]
+fn issue_bounds_of_a_probability_count_events() {
+    let of = |of_motion: &[usize], runs: u64| {
+        let form = Form {
+            events: Some(EventsOfMotions {
+                of_motion: of_motion.into(),
+                runs,
+            }),
+            by: Vec::new(),
+            ..form(&[1.0])
+        };
+        let mut tally = Tally::default();
+        tally.add_batch(&form, &batch(0, &[[2.0, 0.0]; 3]));
+        tally.add_batch(&form, &batch(3, &[[0.5, 0.0]; 9]));
+        let tally = Tally::of_line(&form, tally.line().as_bytes()).expect("it was written");
+        let whole = SummaryTable::new(form, tally).whole();
+        (whole[0].samples, whole[0].exceedances[0].bounds, whole[0].p84.is_some())
+    };
+    // Six motions of three events, each with two sets of values.
+    assert_eq!(of(&[0, 0, 1, 1, 2, 2], 2), (3, wilson_of(0.25, 3), false));
+    // Both directions of one record, with six sets of values.
+    assert_eq!(of(&[0, 0], 6), (6, wilson_of(0.25, 6), false));
+    // Twelve records.
+    let each: Vec<usize> = (0..12).collect();
+    assert_eq!(of(&each, 1), (12, wilson_of(0.25, 12), true));
 }

@@ -153,10 +153,10 @@ fn limit_a_row_is_the_run_of_the_scene_written_by_hand() {
             ("left: peak_shear_force_n", Some(left.restoring_force.value)),
             ("right: peak_displacement_m", Some(right.displacement.value)),
             ("right: ductility", None),
-            ("left – right: collisions", Some(pair.collisions as f64)),
-            ("left – right: first_start_s", pair.first.map(|first| first.start)),
-            ("left – right: peak_force_n", pair.peak_force.map(|peak| peak.value)),
-            ("left – right: total_impulse_n_s", Some(pair.total_impulse)),
+            ("left - right: collisions", Some(pair.collisions as f64)),
+            ("left - right: first_start_s", pair.first.map(|first| first.start)),
+            ("left - right: peak_force_n", pair.peak_force.map(|peak| peak.value)),
+            ("left - right: total_impulse_n_s", Some(pair.total_impulse)),
         ] {
             let found = row.number(name);
             assert_eq!(found.map(f64::to_bits), wanted.map(f64::to_bits), "{name}");

@@ -125,9 +125,9 @@ fn reference_whole_buildings_have_the_severest_of_their_floors() {
         for (whole, found) in named.iter().filter(|(name, _)| name.contains("(any ")) {
             let (of, quantity) = whole.split_once(": ").expect("a quantity");
             let of = of.split_once(" (any").expect("what it is of").0;
-            let ends: Vec<_> = of.split(" – ").collect();
+            let ends: Vec<_> = of.split(" - ").collect();
             let is_part = |name: &str| {
-                let parts: Vec<_> = name.split(": ").next().unwrap_or("").split(" – ").collect();
+                let parts: Vec<_> = name.split(": ").next().unwrap_or("").split(" - ").collect();
                 let quantity = match quantity {
                     "peak_drift_m" if is_lowest(name) => "peak_displacement_m",
                     other => other,

@@ -91,37 +91,26 @@ impl Asked<'_> {
         Ok(stiffest.into_values().collect())
     }
 
-    /// Runs with bumpers, for the runs in which something touches, by motion, direction and row; runs that fail are left out.
+    /// Runs with bumpers, by motion, direction and row; runs that fail are left out. Runs in which nothing touches without bumpers are run,
+    /// too: a bumper may be hit where the gap stays open.
     pub(super) fn with_bumpers(&self, lines: &[suite::MotionLine<RunsUnderMotion>], bumpers: &[Bumper]) -> Result<BumperRuns, Refused> {
         if bumpers.is_empty() {
             return Ok(BumperRuns::new());
         }
-        let touching = |motion: &SuiteMotion| {
-            let own = lines.iter().filter(|line| line.motion == motion.name);
-            let found = own.filter_map(|line| Some((line.reversed, line.found.as_ref().ok()?)));
-            let found: Vec<(bool, &RunsUnderMotion)> = found.collect();
-            let record = found.first().map(|(_, found)| found.record.clone());
+        let scene = |motion: &SuiteMotion| {
+            let mut own = lines.iter().filter(|line| line.motion == motion.name);
+            let record = own.find_map(|line| Some(line.found.as_ref().ok()?.record.clone()));
             let scene = Scene {
                 record: record.unwrap_or_else(|| self.known.record.clone()),
                 ..self.known.clone()
             };
-            let touch = |(reversed, found): &(bool, &RunsUnderMotion)| {
-                let runs = found.runs.iter();
-                (*reversed, runs.map(|run| run.collisions() > 0).collect())
-            };
-            let touching: BTreeMap<bool, Vec<bool>> = found.iter().map(touch).collect();
-            Ok((scene, touching))
+            Ok((scene, ()))
         };
         let both = [false, true];
-        let ran = suite::lines_of(self.records, &both, touching, |prepared, touching| {
-            let own = touching.get(&prepared.scene().record.reversed);
-            let rows = own.into_iter().flatten().enumerate();
-            Ok(rows
-                .map(|(row, touches)| {
-                    let touches = touches.then(|| self.row(prepared, row).ok()).flatten()?;
-                    BumperRun::of(&touches, bumpers).ok()
-                })
-                .collect::<Vec<Option<BumperRun>>>())
+        let ran = suite::lines_of(self.records, &both, scene, |prepared, ()| {
+            let rows = 0..self.rows.len();
+            let run = |row: usize| BumperRun::of(&self.row(prepared, row).ok()?, bumpers).ok();
+            Ok(rows.map(run).collect::<Vec<Option<BumperRun>>>())
         })?;
         let mut runs = BumperRuns::new();
         for line in ran.lines {

@@ -12,7 +12,7 @@ use pounding::text::{Answer, Cell, Form, Grid, NONE, Refused, Shown, Table, Wher
 
 use super::Arguments;
 use crate::commands::suite;
-use motion::{RunUnderMotion, between};
+use motion::{RunUnderMotion, between, push_of};
 
 /// The runs of a folder.
 type Runs<'a> = OfFolder<'a, RunUnderMotion>;
@@ -177,7 +177,12 @@ fn result(runs: &Runs<'_>) -> Vec<String> {
             String::new()
         };
         format!(
-            "the hardest collision is that under {}: {} kN·s{between}",
+            "{} is that under {}: {} kN·s{between}",
+            if let Some(lasts) = push_of(pair) {
+                format!("the largest impulse is no blow, but a push of {} s, and", short(lasts))
+            } else {
+                "the hardest collision".into()
+            },
             line.name(),
             short(impulse / 1e3)
         )
@@ -187,27 +192,48 @@ fn result(runs: &Runs<'_>) -> Vec<String> {
 
 /// Adds the effects of pounding on every storey, if they were asked for.
 fn effects<'a>(runs: &Runs<'_>, answer: Answer<'a>) -> Answer<'a> {
-    let all = runs.found().filter_map(|(_, run)| Some((run, run.effects.as_ref()?)));
+    let all = runs
+        .found()
+        .filter_map(|(line, run)| Some((line.event, run, run.effects.as_ref()?)));
     let all: Vec<_> = all.collect();
-    let Some((first, _)) = all.first() else {
+    let Some((_, first, _)) = all.first() else {
         return answer;
     };
     let floors = &first.floors;
     let ratio = |floor: usize, response: usize| {
-        let both = all.iter().flat_map(|(_, one)| [&one.as_given[floor], &one.reversed[floor]]);
-        let ratios = both.filter_map(|one| Some(one.responses()[response]?.amplification?.value));
-        let all = Distribution::of(ratios);
+        let both = all
+            .iter()
+            .flat_map(|(event, _, one)| [(event, &one.as_given[floor]), (event, &one.reversed[floor])]);
+        let ratios = both.filter_map(|(event, one)| Some(([*event, 0], one.responses()[response]?.amplification?.value)));
+        let all = Distribution::of_cases(ratios);
         all.map_or(NONE.into(), |all| {
-            format!("{} / {}", two_decimals(all.median()), two_decimals(all.p84()))
+            if all.has_quantiles() {
+                format!("{} / {}", two_decimals(all.median()), two_decimals(all.p84()))
+            } else {
+                two_decimals(all.largest())
+            }
         })
     };
+    let events = all.iter().map(|(event, ..)| event).collect::<BTreeSet<_>>().len();
+    let heading = match events {
+        n if n >= Distribution::ENOUGH => "Storey, median / 84 %".into(),
+        1 => "Storey, the only event".into(),
+        n => format!("Storey, largest of {n} events"),
+    };
+    let storey = |floor: &usize| {
+        let one = &floors.all()[*floor];
+        let building = runs.scene.structures[one.structure].name();
+        one.storey
+            .map_or_else(|| building.to_owned(), |storey| format!("{building}, storey {storey}"))
+    };
     let table = Table::of(floors.by_structure().filter(|floor| !floors.all()[*floor].is_wall()))
-        .shown("Storey, median / 84 %", |floor| Shown::from(floors.all()[*floor].name.as_str()))
+        .shown(heading, storey)
         .shown("Drift × alone", |floor| ratio(*floor, 0))
         .shown("Shear × alone", |floor| ratio(*floor, 1))
-        .shown("Acceleration × alone", |floor| ratio(*floor, 2));
+        .shown("Acceleration of its floor × alone", |floor| ratio(*floor, 2));
     let notes = format!(
-        "peaks beside the neighbours over those of the same building alone, by the exact method, under {} motions in both directions; \
+        "peaks beside the neighbours over those of the same building alone, by the exact method, under {} motions in both directions, which \
+         count once for each event; for the contact stiffness of the scene, on which accelerations depend: `pounding assess` gives their range; \
          --csv has every motion, --json also how far a change of the record by 1 % moves each number",
         all.len()
     );

@@ -6,6 +6,11 @@ use pounding::sweep::{Joined, summary_beside};
 use pounding::text::{Form, Refused};
 
 use super::{answer, fact, summed};
+
+/// What the column `checked` says.
+const CHECKED: &str = "what held a row to mechanics: `ledger`, its energy and momentum; `beside`, runs side by side, of which some were run alone, too: \
+                       `both`; empty if nothing did";
+
 use crate::commands::Failure;
 
 /// Returns facts as text, with those about the table.
@@ -21,6 +26,7 @@ pub(in crate::commands) fn of_table(mut facts: Vec<Option<String>>, joined: &Joi
     let rows = if joined.has_rows { "rows" } else { "runs summed up" };
     let text = format!("{}: {} {rows}, {failed}", out.display(), joined.runs);
     facts.push(fact("Results", [text]));
+    facts.push(fact("Checked", joined.has_rows.then(|| CHECKED.into())));
     let printed = match &joined.summary {
         None => answer(facts),
         Some(summary) => {

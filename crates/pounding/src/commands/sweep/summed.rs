@@ -110,6 +110,7 @@ fn numbers<'a, Of: 'a>(table: Table<'a, &'a Of>, column: impl Fn(&'a Of) -> &'a 
     let middle = |(low, high): (f64, f64)| short(0.5 * (low + high));
     table
         .shown("numbers", move |row| column(*row).numbers.to_string())
+        .shown("samples", move |row| column(*row).samples.to_string())
         .shown("mean", move |row| column(*row).mean.map(short))
         .shown("deviation", move |row| column(*row).standard_deviation.map(short))
         .shown("median", move |row| column(*row).median.map(middle))

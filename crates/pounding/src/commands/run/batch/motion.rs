@@ -145,10 +145,15 @@ fn measured<Q: Into<Quantity> + Copy>(all: &[Q]) -> impl Iterator<Item = (Q, &'s
     measured.map(|(one, about)| (one, about.name))
 }
 
+/// Duration of the largest impulse of a pair \[s\] if it is a push; `None` if it is a blow.
+pub(super) fn push_of(pair: &PairSummary) -> Option<f64> {
+    let start = |one: Option<CollisionSummary>| one.map(|one| one.start_s.to_bits());
+    let is_largest = start(pair.leaning) == start(pair.largest);
+    pair.leaning.filter(|_| is_largest).map(|one| one.end_s - one.start_s)
+}
+
 /// A pair by its names, and whether its largest impulse is a push.
 pub(super) fn between(pair: &PairSummary) -> String {
-    let start = |one: Option<CollisionSummary>| one.map(|one| one.start_s.to_bits());
-    let leans = pair.leaning.is_some() && start(pair.leaning) == start(pair.largest);
-    let leans = if leans { " (leaning)" } else { "" };
+    let leans = if push_of(pair).is_some() { " (leaning)" } else { "" };
     format!("{} – {}{leans}", pair.left, pair.right)
 }

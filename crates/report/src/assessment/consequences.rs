@@ -1,0 +1,209 @@
+//! The sentences of an assessment about touching: drifts against their limit, forces, and what gets worse or better.
+
+use pounding_assess::{Distribution, FloorAssessment};
+use pounding_scene::Excess;
+use pounding_text::{digits, percent, two_decimals, two_digits};
+
+use super::AssessmentReport;
+
+/// Part of its limit \[–\] up to which a drift is harmless, however many times that of the building alone it is: 1 % of the height.
+const HARMLESS: f64 = 0.4;
+
+/// Floors with a response over that alone, and the worst or the best of them.
+struct Changed<'f> {
+    count: usize,
+    floor: usize,
+    ratio: &'f Distribution,
+}
+
+impl AssessmentReport {
+    /// The effects of touching, in a sentence each: the largest drift against its limit, the largest force, what gets worse, what gets better.
+    pub fn consequences(&self) -> Vec<String> {
+        if self.hit().is_empty() {
+            return Vec::new();
+        }
+        let said = [
+            self.largest_drift(),
+            self.largest_force(),
+            self.worse_drifts(),
+            self.worse_accelerations(),
+            self.better_drifts(),
+        ];
+        said.into_iter().flatten().collect()
+    }
+
+    /// Name of the storey below a floor.
+    pub(super) fn storey_name(&self, floor: usize) -> String {
+        let one = &self.floors.all()[floor];
+        let building = self.scene.structures[one.structure].name();
+        one.storey
+            .map_or_else(|| building.into(), |storey| format!("{building}, storey {storey}"))
+    }
+
+    /// A drift over the storey height and its limit \[–\]; `None` if the height is not known.
+    fn of_limit(&self, floor: usize, drift: f64) -> Option<[f64; 2]> {
+        let height = self.floors.all()[floor].made_of?.height_m?;
+        Some([drift / height, Excess::MOST_DRIFT])
+    }
+
+    /// Whether the drift of a storey stays so small that no growth harms it.
+    fn is_harmless(&self, floor: usize, one: &FloorAssessment) -> bool {
+        let of_limit = self.of_limit(floor, one.largest_drift);
+        of_limit.is_some_and(|[drift, limit]| drift <= HARMLESS * limit)
+    }
+
+    /// The largest drift beside the neighbours, against its limit.
+    fn largest_drift(&self) -> Option<String> {
+        let floors = self.floors_in_order();
+        let share = |(floor, one): &(usize, &FloorAssessment)| {
+            let of_limit = self.of_limit(*floor, one.largest_drift);
+            of_limit.map_or((0.0, one.largest_drift), |[drift, limit]| (drift / limit, one.largest_drift))
+        };
+        let (floor, one) = floors.into_iter().max_by(|one, other| {
+            let (one, other) = (share(one), share(other));
+            one.0.total_cmp(&other.0).then(one.1.total_cmp(&other.1))
+        })?;
+        let name = self.storey_name(floor);
+        let Some([drift, limit]) = self.of_limit(floor, one.largest_drift) else {
+            let [drift, alone] = [one.largest_drift, one.largest_drift_alone].map(|drift| two_digits(1e3 * drift));
+            return Some(format!(
+                "Largest drift when they touch: {drift} mm ({name}), alone {alone} mm; without `height_m` there is no limit for it."
+            ));
+        };
+        let [least, most] = one.largest_drift_range;
+        let of_height = |drift: f64| self.of_limit(floor, drift).map(|[drift, _]| percent(drift));
+        let (least, most, alone) = (of_height(least)?, of_height(most)?, of_height(one.largest_drift_alone)?);
+        let range = if least == most {
+            String::new()
+        } else {
+            format!("; {least} to {most} over the stiffness of contact")
+        };
+        let within = if drift > limit { "above" } else { "within" };
+        Some(format!(
+            "Largest drift when they touch: {} of the storey height ({name}{range}), {within} the {} that codes allow; alone {alone}.",
+            percent(drift),
+            percent(limit),
+        ))
+    }
+
+    /// The range of the largest force over the stiffness of contact.
+    fn largest_force(&self) -> Option<String> {
+        let (index, pair) = self.hit().into_iter().next()?;
+        let facing = self.floors.facing()[index];
+        let [left, right] = [facing.left, facing.right].map(|floor| self.floor_name(floor));
+        let Some([low, high]) = &pair.peak_force else {
+            let speed = two_digits(pair.approach_speed.unwrap_or(0.0));
+            return Some(format!(
+                "{left} – {right} meet with up to {speed} m/s; the contact law of the scene has no force."
+            ));
+        };
+        let [low, high] = [low, high].map(|of| two_digits(1e-3 * of.largest()));
+        let [from, to] = self.stiffness.map(digits);
+        Some(if low == high {
+            format!(
+                "Largest force: {high} kN ({left} – {right}), for the assumed contact stiffness alone. Another stiffness gives several times \
+                 more or less: no force to design for."
+            )
+        } else {
+            format!(
+                "Largest force: {low} to {high} kN ({left} – {right}), as the contact is {from} to {to} times as stiff as in the scene. The \
+                 real stiffness is not known better: no force to design for."
+            )
+        })
+    }
+
+    /// The floors whose ratio `of` changes as `changes` tells, and that of them whose ratio is the largest, or the least.
+    fn changed<'f>(
+        &'f self,
+        of: impl Fn(usize, &'f FloorAssessment) -> Option<&'f Distribution>,
+        changes: impl Fn(f64) -> bool,
+        is_worse: bool,
+    ) -> Option<Changed<'f>> {
+        let floors = self.floors_in_order().into_iter();
+        let ratios = floors.filter_map(|(floor, one)| Some((floor, of(floor, one)?)));
+        let mut changed: Vec<_> = ratios.filter(|(_, ratio)| changes(ratio.upper())).collect();
+        changed.sort_by(|one, other| other.1.upper().total_cmp(&one.1.upper()));
+        let at = if is_worse { changed.first() } else { changed.last() };
+        at.map(|(floor, ratio)| Changed {
+            count: changed.len(),
+            floor: *floor,
+            ratio,
+        })
+    }
+
+    /// Storeys whose drift grows, without the harmless ones.
+    fn worse_drifts(&self) -> Option<String> {
+        let grows = |ratio: f64| ratio > FloorAssessment::WORSE;
+        let all = self.changed(|_, one| Some(&one.drift), grows, true)?;
+        let harmful = |floor, one| (!self.is_harmless(floor, one)).then_some(&one.drift);
+        let limit = percent(HARMLESS * Excess::MOST_DRIFT);
+        let Some(Changed { count, floor, ratio }) = self.changed(harmful, grows, true) else {
+            return Some(format!(
+                "{} by more than 10 %, but none of them drifts more than {limit} of its height.",
+                counted(all.count, ["storey drifts more", "storeys drift more"])
+            ));
+        };
+        let harmless = match all.count - count {
+            0 => String::new(),
+            1 => format!(" One other does so, too, but stays below {limit} of its height, which is harmless."),
+            n => format!(" {n} others do so, too, but stay below {limit} of their height, which is harmless."),
+        };
+        Some(format!(
+            "{} by more than 10 %, most {}: {}.{harmless}",
+            counted(count, ["storey drifts more", "storeys drift more"]),
+            self.storey_name(floor),
+            self.times(ratio)
+        ))
+    }
+
+    /// Floors whose acceleration grows.
+    fn worse_accelerations(&self) -> Option<String> {
+        let changed = self.changed(|_, one| Some(&one.acceleration), |ratio| ratio > FloorAssessment::WORSE, true)?;
+        let one = self.assessment.floors[changed.floor].as_ref()?;
+        let [least, most] = one.acceleration_range.each_ref().map(|of| two_decimals(of.upper()));
+        let of = if least == most {
+            format!("{most} times the acceleration alone")
+        } else {
+            format!("{least} to {most} times the acceleration alone, over the stiffness of contact")
+        };
+        Some(format!(
+            "{} by more than 10 %, most {}: {of}.",
+            counted(changed.count, ["floor shakes harder", "floors shake harder"]),
+            self.floor_name(changed.floor)
+        ))
+    }
+
+    /// Storeys whose drift becomes less.
+    fn better_drifts(&self) -> Option<String> {
+        let Changed { count, floor, ratio } = self.changed(|_, one| Some(&one.drift), |ratio| ratio < 0.9, false)?;
+        Some(format!(
+            "{} by more than 10 %, most {}: {} times as far as alone.",
+            counted(count, ["storey drifts less", "storeys drift less"]),
+            self.storey_name(floor),
+            two_decimals(ratio.upper())
+        ))
+    }
+
+    /// "up to 3.00 times as far as alone (the largest of 4 events)".
+    fn times(&self, ratio: &Distribution) -> String {
+        let upper = two_decimals(ratio.upper());
+        if ratio.has_quantiles() {
+            format!(
+                "up to {upper} times as far as alone in 84 % of {} {}s, {} times in the median",
+                ratio.sorted().len(),
+                self.sample(),
+                two_decimals(ratio.median())
+            )
+        } else {
+            format!("up to {upper} times as far as alone ({})", self.largest_of(ratio))
+        }
+    }
+}
+
+/// "3 storeys drift more".
+fn counted(count: usize, [one, several]: [&str; 2]) -> String {
+    match count {
+        1 => format!("One {one}"),
+        n => format!("{n} {several}"),
+    }
+}

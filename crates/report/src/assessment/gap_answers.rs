@@ -1,0 +1,222 @@
+//! The sentences of an assessment about gaps: whether each is enough, and which width is proposed.
+
+use pounding_assess::{Distribution, GapAssessment, TargetFit};
+use pounding_text::{millimetres, millimetres_up, percent, two_decimals, two_digits};
+
+use super::AssessmentReport;
+use crate::rules::RuledGap;
+
+impl AssessmentReport {
+    /// The least part of the target that the mean spectrum has, and its period, if a code asks for more.
+    pub(super) fn too_weak(&self) -> Option<(f64, f64)> {
+        let least = self.fit.as_ref().map(TargetFit::least);
+        least.filter(|(share, _)| *share < TargetFit::LEAST_SHARE)
+    }
+
+    /// Why these records do not show which gap is enough; `None` if they do.
+    pub(super) fn unfounded(&self) -> Option<String> {
+        if let Some((share, period)) = self.too_weak() {
+            return Some(format!(
+                "the mean spectrum of the records has {:.0} % of the target at {} s, and codes want {:.0} %",
+                (100.0 * share).floor(),
+                two_digits(period),
+                100.0 * TargetFit::LEAST_SHARE
+            ));
+        }
+        (self.assessment.believed_alone() == 0).then(|| format!("a building would hardly stand even alone under every {}", self.sample()))
+    }
+
+    /// The width that is proposed for a gap; `None` if these records do not show which one is enough.
+    pub(super) fn proposal(&self, gap: &GapAssessment) -> Option<f64> {
+        self.unfounded().is_none().then(|| gap.proposal())
+    }
+
+    /// "the largest of 4 events".
+    pub(super) fn largest_of(&self, of: &Distribution) -> String {
+        match of.sorted().len() {
+            1 => format!("the only {}", self.sample()),
+            n => format!("the largest of {n} {}s", self.sample()),
+        }
+    }
+
+    /// The answer: a sentence or two for each gap, those first whose neighbours touch in most runs.
+    pub fn answers(&self) -> Vec<String> {
+        let mut gaps: Vec<&GapAssessment> = self.assessment.gaps.iter().collect();
+        gaps.sort_by_key(|gap| std::cmp::Reverse(gap.touching));
+        let answers = gaps.into_iter().map(|gap| self.answer_of(gap));
+        answers.chain(self.prior()).chain(self.by_code()).collect()
+    }
+
+    /// The widths that the named code asks for.
+    fn by_code(&self) -> Vec<String> {
+        let gaps = self.code.into_iter().flat_map(|code| {
+            let ruled = self.ruled_gaps().into_iter();
+            ruled.map(move |gap| gap.by_code(&self.scene, code))
+        });
+        gaps.collect()
+    }
+
+    /// Every gap as rules see it.
+    pub(super) fn ruled_gaps<'a>(&'a self) -> Vec<RuledGap<'a>> {
+        let ruled = |gap: &'a GapAssessment| RuledGap {
+            left: gap.left,
+            own: gap.own,
+            needed: gap.required.largest(),
+            rules: &gap.rules,
+            sample: self.sample(),
+        };
+        self.assessment.gaps.iter().map(ruled).collect()
+    }
+
+    /// Whether a gap is enough, and the danger of floors that face columns.
+    fn answer_of(&self, gap: &GapAssessment) -> String {
+        let answer = self.answer_of_floors(gap);
+        let danger = gap.beside_columns.zip(self.floors.says_columns(gap.left)).map(|(width, columns)| {
+            let keeps = format!("{} mm keep floors from columns under these motions.", millimetres_up(width));
+            format!("{answer} {columns} {keeps}")
+        });
+        danger.unwrap_or(answer)
+    }
+
+    fn answer_of_floors(&self, gap: &GapAssessment) -> String {
+        let [left, right] = self.gap_names(gap);
+        let runs = self.assessment.runs;
+        let needed = gap.required.largest();
+        let Some(own) = gap.own else {
+            return format!("{left} and {right}: {}", self.would_do(gap, "is enough"));
+        };
+        let width = millimetres(own);
+        if gap.touching == 0 && own >= needed {
+            let floors = if own < gap.largest() { " for floors that face floors" } else { "" };
+            let apart = format!("they touch in none of {runs} runs, and need {} mm at most", millimetres_up(needed));
+            return match self.unfounded().or_else(|| self.says_not_counted()) {
+                None => format!(
+                    "{width} mm is enough{floors} between {left} and {right}: {apart}.{}",
+                    self.margin(own, gap)
+                ),
+                Some(why) => format!("{width} mm is not shown to be enough{floors} between {left} and {right}: {apart}, but {why}."),
+            };
+        }
+        if gap.touching == 0 {
+            let why = self.floors.left_out(gap.left);
+            let why = why.map_or_else(
+                || "because their other neighbours hold them".into(),
+                |levels| format!("because {levels} were not looked at"),
+            );
+            return format!(
+                "{width} mm is not enough between {left} and {right}: alone they need {} mm. In these runs they do not touch, {why}.",
+                millimetres_up(needed)
+            );
+        }
+        // Buildings that stand alone need less; one that is pushed by its other neighbour may need more.
+        if own >= needed {
+            return format!(
+                "{width} mm is as wide as {left} and {right} need alone, but they touch in {}, pushed by another neighbour: the other gaps \
+                 decide.",
+                self.touch_in(gap)
+            );
+        }
+        format!(
+            "{width} mm is not enough between {left} and {right}: they touch in {}. {}",
+            self.touch_in(gap),
+            self.would_do(gap, "would be enough")
+        )
+    }
+
+    /// The width that is enough, in a sentence: "130 mm would be enough for all 11 events."
+    fn would_do(&self, gap: &GapAssessment, enough: &str) -> String {
+        if let Some(why) = self.unfounded() {
+            let needed = millimetres_up(gap.required.largest());
+            return format!(
+                "Under these records they need {needed} mm, {}, but {why}.",
+                self.largest_of(&gap.required)
+            );
+        }
+        let [most, all] = [gap.built(gap.required.upper()), gap.proposal()].map(millimetres);
+        let samples = self.sample();
+        let said = match gap.required.sorted().len() {
+            1 => format!("{all} mm {enough} for the only {samples}"),
+            n if !gap.required.has_quantiles() || most == all || gap.own.is_some_and(|own| gap.built(gap.required.upper()) <= own) => {
+                format!("{all} mm {enough} for all {n} {samples}s")
+            }
+            n => format!("{most} mm {enough} for 84 % of the {n} {samples}s, {all} mm for all"),
+        };
+        let counted = if self.assessment.disbelieved_alone > 0 { " that count" } else { "" };
+        let others = if self.assessment.gaps.len() > 1 {
+            ", if every other gap of the row stays open, too"
+        } else {
+            ""
+        };
+        format!("{said}{counted}{others}.")
+    }
+
+    /// Why a gap that stays open under some events is not enough under all; `None` if all events count.
+    fn says_not_counted(&self) -> Option<String> {
+        let n = self.assessment.disbelieved_alone;
+        (n > 0).then(|| format!("a building would hardly stand even alone in {}", self.of_cases(n)))
+    }
+
+    /// The proposed width of every gap that is not enough, and the chance that remains; what bumpers do, if they were asked for.
+    pub fn proposals(&self) -> Vec<String> {
+        let gaps = self.assessment.gaps.iter();
+        let wanting: Vec<&GapAssessment> = gaps.filter(|gap| gap.own.is_none_or(|own| own < gap.largest())).collect();
+        if wanting.is_empty() {
+            return self.bumper_says();
+        }
+        let mut said = vec![match self.unfounded() {
+            Some(why) => format!("No gap is proposed: {why}."),
+            None => self.proposed(&wanting),
+        }];
+        said.extend(self.bumper_says());
+        said
+    }
+
+    fn proposed(&self, wanting: &[&GapAssessment]) -> String {
+        let widths = wanting.iter().map(|gap| {
+            let [left, right] = self.gap_names(gap);
+            format!("{} mm between {left} and {right}", millimetres(gap.proposal()))
+        });
+        let widths: Vec<String> = widths.collect();
+        let neighbours = self.neighbours().len();
+        let n = match neighbours {
+            0 => self.assessment.believed_alone(),
+            _ => self.assessment.events,
+        };
+        let like = if n == 1 {
+            "like this one".into()
+        } else {
+            format!("like these {n}")
+        };
+        let together = if widths.len() > 1 { ", together" } else { "" };
+        let beside = match neighbours {
+            0 => String::new(),
+            n => format!(" beside one of the {n} neighbours that were drawn; others may need more"),
+        };
+        format!(
+            "Proposed{together}: {} (the largest needed, rounded up). A further event {like} needs more with a chance of at most 1 in {} for \
+             each gap{beside}.",
+            widths.join(", "),
+            n + 1
+        )
+    }
+
+    /// How much wider a gap is than the widest needed, if that is less than the standard deviation of the logarithms of the widths. Then
+    /// another motion of the kind may well need more.
+    fn margin(&self, own: f64, gap: &GapAssessment) -> String {
+        let widths = [gap.largest(), gap.required.largest()];
+        let more = own / widths.into_iter().find(|width| *width <= own).unwrap_or(own);
+        match gap.required.dispersion() {
+            Some(spread) if libm::log(more) < spread => format!(
+                " The margin of {} is less than the spread of the widths (σ ln {}): another motion may well need more.",
+                percent(more - 1.0),
+                two_decimals(spread)
+            ),
+            Some(_) => String::new(),
+            None => format!(
+                " The margin is {}, and one {} tells no spread: another motion may well need more.",
+                percent(more - 1.0),
+                self.sample()
+            ),
+        }
+    }
+}
