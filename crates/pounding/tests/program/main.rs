@@ -22,6 +22,7 @@ mod motion_issues;
 mod motions;
 mod names;
 mod number_lists;
+mod pages;
 mod plans;
 mod promises;
 mod records;

@@ -7,6 +7,7 @@ use serde_json::{Value, json};
 use super::AssessmentReport;
 use super::tables::{first, statistics};
 use crate::SCHEMA_VERSION;
+use crate::not_modelled;
 use crate::page::{BEFORE, UNUSUAL, sentence};
 
 impl AssessmentReport {
@@ -20,15 +21,24 @@ impl AssessmentReport {
         };
         let answer = Answer::new()
             .say_as(Where::Everywhere, Manner::Box(UNUSUAL), "Unusual", unusual)
+            .say_as(Where::Page, Manner::Box(BEFORE), "", self.warnings())
             .say_as(Where::Everywhere, verdict, "Answer", self.sentences())
             .figure("animation")
             .say_as(Where::Everywhere, Manner::Beside, "Motions", self.shaking())
-            .say_as(Where::Everywhere, Manner::Box(BEFORE), "Warnings", self.warnings())
+            .say(Where::Terminal, "Warnings", self.warnings())
+            .say_as(Where::Page, Manner::Box(not_modelled::TITLE), "", self.not_modelled())
+            .figure("spectra")
             .heading("Required gap")
             .say(Where::Page, "", vec![REQUIRED.into()])
             .table(Where::Everywhere, first(&self.gaps()))
             .figure("gap")
+            .heading("Rules of codes beside the time history")
+            .say(Where::Page, "", vec![RULES.into()])
+            .table(Where::Page, self.official())
+            .table(Where::Page, self.meetings())
             .figure("profiles")
+            .heading("What was assumed")
+            .table(Where::Page, self.assumed())
             .appendix("what touching does");
         let answer = self.touching(answer).figure("amplification").figure("neighbour");
         let answer = self.rules_and_motions(answer);
@@ -84,9 +94,7 @@ impl AssessmentReport {
 
     fn rules_and_motions<'a>(&'a self, answer: Answer<'a>) -> Answer<'a> {
         answer
-            .heading("Rules of codes")
-            .say(Where::Page, "", vec![RULES.into()])
-            .table(Where::Everywhere, first(&self.rules()))
+            .table(Where::Terminal, first(&self.rules()))
             .heading("Motions")
             .table(Where::Details, self.runs().grid())
             .say_as(Where::Everywhere, Manner::List, "Records", self.remarks().to_vec())
@@ -137,8 +145,8 @@ impl AssessmentReport {
 const REQUIRED: &str = "The width that keeps the neighbours apart under an event: the largest closing of the gap while every building stands \
                         alone, of its components in both directions.";
 
-const RULES: &str = "Each rule takes the displacements of the time history of both buildings standing alone. “At worst” is its width as a \
-                     part of the one that is needed.";
+const RULES: &str = "Each rule in its own form, with the displacements u of the time history of both buildings standing alone. “At worst” is \
+                     its width as a part of the one that the time history needs.";
 
 const STOREYS: &str = "Median / 84 % of the events in which their building touches; accelerations from the median with the contact that gives \
                        least to 84 % with the one that gives most, as forces.";

@@ -3,12 +3,14 @@
 mod answer;
 mod bumper;
 mod cautions;
+mod context;
 mod figures;
 mod numbers;
 mod of_lines;
 mod page;
 mod prior;
 mod profiles;
+mod spectra;
 mod tables;
 mod words;
 
@@ -37,7 +39,7 @@ pub struct AssessedMotion {
     pub neighbour: Option<DrawnNeighbour>,
     /// What bumpers make of it, if something touches without them.
     pub bumper: Option<BumperRun>,
-    /// Its spectrum, if it is scaled to one.
+    /// Its spectrum as it shakes the row; `None` if it cannot be computed.
     pub spectrum: Option<MotionSpectrum>,
     /// Results of the run.
     pub run: AssessedRun,
