@@ -84,9 +84,9 @@ const ENTRANTS: [(Competitor, [&str; 3], Knob, &[SceneKind]); 15] = {
     use Competitor::{Loop, OpenSees, Ours, Scipy, Sundials};
     use Knob::{Nothing, OwnTolerance, TimeStep, Tolerance};
     [
-        (Ours, [OURS, LANES, "Ours: central difference, lanes"], TimeStep, ALL),
-        (Ours, [OURS, EXACT_LANES, "Ours: exact, lanes"], Nothing, IMPULSIVE),
-        (Ours, [OURS, EXACT_LANES, "Ours: exact, lanes"], OwnTolerance, COMPLIANT),
+        (Ours, [OURS, LANES, "Ours: central difference, SIMD"], TimeStep, ALL),
+        (Ours, [OURS, EXACT_LANES, "Ours: exact, SIMD"], Nothing, IMPULSIVE),
+        (Ours, [OURS, EXACT_LANES, "Ours: exact, SIMD"], OwnTolerance, COMPLIANT),
         (Ours, [OURS, EXACT, "Ours: exact"], Nothing, IMPULSIVE),
         (Ours, [OURS, EXACT, "Ours: exact"], OwnTolerance, PRESSED),
         (Loop, ["numba", "central_difference", "Numba: central difference"], TimeStep, STRUCTURES),

@@ -47,7 +47,7 @@ pub(super) fn run(root: &Path) -> Outcome<()> {
     let raced = all.iter().map(|scenes| race::run(scenes, &mut worker));
     let raced = raced.collect::<Outcome<Vec<Raced>>>()?;
     let panels: Vec<_> = raced.iter().map(report::panel).collect();
-    keep(root, FIGURE, &work_precision_figure(&panels, "lanes, 0.01 s")?)?;
+    keep(root, FIGURE, &work_precision_figure(&panels)?)?;
     SETTINGS.write(root, &report::settings(&raced))?;
     LEVELS.write(root, &report::levels(&raced))?;
     report::check(&raced);

@@ -49,6 +49,8 @@ pub struct RuleWords {
     pub key: &'static str,
     /// The rule in a sentence of our own.
     pub says: &'static str,
+    /// The rule as a formula of both displacements u, or δ_M.
+    pub form: &'static str,
     /// Factor for floors that are all level: the code accepts then that slabs meet.
     pub when_level: f64,
     /// Number of events from which on the code takes the mean; `None` if the largest counts always.
@@ -65,6 +67,7 @@ const LITERATURE: RuleWords = RuleWords {
     code: None,
     key: "abs_m",
     says: "the sum of both displacements",
+    form: "u₁ + u₂",
     when_level: 1.0,
     mean_from: None,
     least_events: 1,
@@ -96,6 +99,7 @@ impl Rule {
                 name: "SRSS",
                 edition: "SRSS",
                 key: "srss_m",
+                form: "√(u₁² + u₂²)",
                 says: "the root of the sum of squares",
                 ..LITERATURE
             },
@@ -103,6 +107,7 @@ impl Rule {
                 name: "DDC",
                 edition: "DDC (Jeng, Kasai and Maison 1992)",
                 key: "ddc_m",
+                form: "√(u₁² + u₂² − 2ρ u₁ u₂)",
                 says: "SRSS less the correlation of elastic periods and damping",
                 ..LITERATURE
             },
@@ -112,6 +117,7 @@ impl Rule {
                 clause: Some("4.4.2.7"),
                 code: Some("en-1998-1"),
                 key: "eurocode_8_m",
+                form: "√(u₁² + u₂²) on one property, u₁ + u₂ across a line; × 0.7 if floors are level",
                 says: "SRSS on one property, the sum across a property line; 0.7 of it for level floors",
                 when_level: 0.7,
                 mean_from: Some(7),
@@ -123,6 +129,7 @@ impl Rule {
                 clause: Some("12.12.3"),
                 code: Some("asce-7-16"),
                 key: "asce_7_m",
+                form: "√(δ_M1² + δ_M2²) on one property, δ_M1 + δ_M2 across a line",
                 says: "SRSS on one property, the sum across a property line",
                 mean_from: Some(11),
                 least_events: 11,
@@ -134,6 +141,7 @@ impl Rule {
                 clause: Some("7.2.1"),
                 code: Some("ntc-2018"),
                 key: "ntc_2018_m",
+                form: "u₁ + u₂, at least h/100 · a_g S/(0.5 g)",
                 says: "the sum; at least h/100 times a_g S/(0.5 g), with the record's peak ground acceleration for a_g S",
                 mean_from: Some(7),
                 least_events: 3,
@@ -144,6 +152,7 @@ impl Rule {
                 edition: "IS 1893 (Part 1):2016",
                 clause: Some("clause not seen"),
                 key: "is_1893_m",
+                form: "R₁Δ₁ + R₂Δ₂, × 0.5 if floors are level",
                 says: "the sum; half of it for level floors, which could not be confirmed",
                 when_level: 0.5,
                 ..LITERATURE
@@ -154,6 +163,7 @@ impl Rule {
                 clause: Some("4.9.3"),
                 code: Some("tbdy-2018"),
                 key: "tbdy_2018_m",
+                form: "α √(u₁² + u₂²), α = 0.5, or 0.25 if floors are level; at least 30 mm, 10 mm more per 3 m above 6 m",
                 says: "half of SRSS, a quarter for level floors; at least 30 mm, and 10 mm more for every 3 m above 6 m",
                 when_level: 0.5,
                 ..LITERATURE
@@ -164,6 +174,7 @@ impl Rule {
                 clause: Some("art. 33"),
                 code: Some("e-030"),
                 key: "e_030_2018_m",
+                form: "2/3 (u₁ + u₂), at least 30 mm and 0.006 h",
                 says: "two thirds of the sum; at least 30 mm and 0.006 of the height",
                 ..LITERATURE
             },
@@ -173,6 +184,7 @@ impl Rule {
                 clause: Some("6.1.4"),
                 code: Some("gb-50011"),
                 key: "gb_50011_m",
+                form: "100 mm up to 15 m, 20 mm more per 3 m above",
                 says: "by height alone, of concrete frames at intensity 8: 100 mm up to 15 m, and 20 mm more for every 3 m above",
                 ..LITERATURE
             },

@@ -38,6 +38,9 @@ pub enum Scaling {
 /// Number of periods at which a record's spectrum is compared with its target to find its factor.
 const PERIODS: u32 = 30;
 
+/// Number of periods of the spectrum of a record without a target.
+const SHOWN: u32 = 100;
+
 /// Ratio of adjacent periods at which the mean of records is compared with the target. A response with 5 % of damping has no dip between
 /// them.
 const CLOSE: f64 = 1.01;
@@ -54,7 +57,9 @@ pub(crate) const DAMPING: f64 = 0.05;
 pub struct MotionSpectrum {
     /// Peak ground acceleration \[m/s²\].
     pub peak: f64,
-    /// Pseudo-accelerations \[m/s²\] for 5 % of damping, at the periods at which the mean of records is compared with its target.
+    /// Periods in rising order \[s\]: with a target those at which the mean of records is compared with it.
+    pub periods: Vec<f64>,
+    /// Pseudo-accelerations \[m/s²\] for 5 % of damping, at these periods.
     pub accelerations: Vec<f64>,
 }
 
@@ -63,6 +68,7 @@ impl MotionSpectrum {
     pub(crate) fn scaled(&self, factor: f64) -> Self {
         Self {
             peak: factor * self.peak,
+            periods: self.periods.clone(),
             accelerations: self.accelerations.iter().map(|one| factor * one).collect(),
         }
     }
@@ -194,22 +200,33 @@ impl Scaling {
         scaled
     }
 
-    /// Returns the scene for a motion, and the strength of the motion if it is scaled to a spectrum.
+    /// Returns the scene for a motion, and the strength of the motion as it shakes the scene; `None` without a target if a spectrum cannot be
+    /// computed.
     ///
     /// # Errors
     /// Refuses a motion that cannot be used in the scene, and a spectrum that cannot be computed.
     pub fn applied(&self, scene: &Scene, motion: &SuiteMotion) -> Result<(Scene, Option<MotionSpectrum>), Error> {
         let mut scaled = self.scene(scene);
-        let Some(target) = self.target() else {
-            return Ok((scaled, None));
-        };
         let (_, ground) = motion.used_as(&scaled.record, &scene.name)?;
+        let Some(target) = self.target() else {
+            let [first, last] = ends_of(scene);
+            let periods = periods_between(first, last, SHOWN);
+            let spectrum = accelerations(&ground.record, &periods, scene)
+                .ok()
+                .map(|accelerations| MotionSpectrum {
+                    peak: ground.record.peak().1.abs(),
+                    periods,
+                    accelerations,
+                });
+            return Ok((scaled, spectrum));
+        };
         let unscaled = accelerations(&ground.record, &periods_of(scene), scene)?;
         scaled.record.scale = factor(&unscaled, target, scene)? * self.raise();
-        let checked = accelerations(&ground.record, &checked_periods(scene, target), scene)?;
+        let periods = checked_periods(scene, target);
         let unscaled = MotionSpectrum {
             peak: ground.record.peak().1.abs(),
-            accelerations: checked,
+            accelerations: accelerations(&ground.record, &periods, scene)?,
+            periods,
         };
         Ok((scaled.clone(), Some(unscaled.scaled(scaled.record.scale))))
     }

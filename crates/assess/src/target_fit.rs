@@ -76,6 +76,7 @@ mod tests {
     fn flat(peak: f64, value: f64, scene: &Scene, target: &DesignSpectrum) -> MotionSpectrum {
         MotionSpectrum {
             peak,
+            periods: checked_periods(scene, target),
             accelerations: vec![value; checked_periods(scene, target).len()],
         }
     }

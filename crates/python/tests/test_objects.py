@@ -1,6 +1,7 @@
 """Objects work as in Python: they compare, can be pickled, do not change, and hold no second copy."""
 
 import pickle
+import re
 import signal
 import subprocess
 import sys
@@ -274,3 +275,70 @@ def test_issue_tables_name_building_and_level(towers, pulse) -> None:
     assert list(run.peaks["building"]) == [structure["sdof"]["name"] for structure in towers.to_dict()["structures"]]
     assert set(run.impacts["level"]) == set(run.pairs["level"]) == {1}
     assert set(run.impacts["contact"]) == {0}
+
+
+def fifteen() -> pounding.Scene:
+    nine = pounding.building([{"mass": 3e5, "stiffness": 2e8, "height": 3.1, "yield_force": 2e6, "repeat": 9}], name="nine")
+    six = pounding.building([{"mass": 2.6e5, "stiffness": 4e8, "height": 3.1, "repeat": 6}], name="six")
+    return pounding.row(nine, six, gap=0.05, restitution=0.65)
+
+
+def test_issue_a_plot_of_fifteen_storeys_is_a_profile(towers, pulse) -> None:
+    """Fifteen curves over time stood below a legend that covered both panels."""
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", pounding.PoundingWarning)
+        profiles, gaps = fifteen().run(pulse).plot().axes
+    assert [line.get_label() for line in profiles.lines] == ["nine", "six"]
+    assert [len(line.get_ydata()) for line in profiles.lines] == [9, 6]
+    assert len(gaps.lines) == 6 + 1
+    few, _ = towers.run(pulse).plot().axes
+    assert len(few.lines) == 2 and few.get_xlabel() == "time [s]"
+    for axes in (profiles, gaps, few):
+        box = axes.get_legend().get_bbox_to_anchor().transformed(axes.transAxes.inverted())
+        assert box.x0 > 1.0, "the legend stands beside the panel"
+
+
+def test_issue_tables_and_assessments_are_drawn(towers, pulse) -> None:
+    """Only a run had a figure."""
+    records = [pounding.formula("ricker", amplitude=2.0 + one, frequency=0.5 + 0.2 * one, time_step=0.01) for one in range(4)]
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", pounding.PoundingWarning)
+        (assessed,) = towers.assess(records).plot().axes
+        required = towers.required_gap(records)
+    (drawn,) = pounding.plot_required_gap(required).axes
+    widest = 1e3 * required["required_m"].max()
+    for axes in (assessed, drawn):
+        assert axes.lines[0].get_xdata()[-2] == pytest.approx(widest)
+    swept = towers.sweep(gap=[0.01, 0.02, 0.03], record=pulse)
+    peak = next(name for name in swept.columns if str(name).endswith("peak_displacement_m"))
+    (axes,) = pounding.plot_sweep(swept, "contacts[*].gap_m", peak).axes
+    assert len(axes.lines[0].get_xdata()) == 3
+    with pytest.raises(pounding.Refused, match="x: found `gap`, allowed are the columns"):
+        pounding.plot_sweep(swept, "gap", peak)
+    force = next(name for name in swept.columns if str(name).endswith("peak_force_n"))
+    with pytest.raises(pounding.Refused, match="without a number"):
+        pounding.plot_sweep(swept, "contacts[*].gap_m", force)
+
+
+def test_issue_effects_are_a_table(towers, pulse) -> None:
+    """They were dicts in dicts."""
+    found = towers.effects(pulse)
+    assert list(found["reversed"]) == [False, False, True, True] and set(found["storey"]) == {1}
+    ratio = found["drift_m"] / found["drift_alone_m"]
+    assert np.allclose(found["drift_amplification"], ratio, rtol=1e-9)
+    assert (found["drift_amplification_low"] <= found["drift_amplification_high"]).all()
+
+
+def test_issue_a_loop_warns_once(pulse) -> None:
+    """Fifteen runs of a loop printed the same sentence fifteen times, each with another number."""
+    row, strong = fifteen(), pulse.using(scale=3.0)
+    with warnings.catch_warnings(record=True) as told:
+        warnings.simplefilter("default")
+        runs = [row.replace(gap=gap).run(strong) for gap in (0.05, 0.06, 0.07)]
+    with warnings.catch_warnings(record=True) as each:
+        warnings.simplefilter("always")
+        for gap in (0.05, 0.06, 0.07):
+            row.replace(gap=gap).run(strong)
+    assert 0 < len(told) < len(each) == sum(len(run.warnings) for run in runs)
+    kinds = {re.sub(r"[0-9.]+", "", str(one.message)) for one in told}
+    assert len(kinds) == len(told)

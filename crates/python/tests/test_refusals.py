@@ -150,13 +150,18 @@ def test_issue_what_is_no_regular_file_is_not_read(tmp_path) -> None:
             pounding.read(path)
 
 
-def test_issue_a_file_that_is_missing_is_an_error_of_the_system(tmp_path) -> None:
+def test_issue_a_file_that_is_missing_is_an_error_of_the_system(towers, pulse, tmp_path) -> None:
     scene = tmp_path / "scene.toml"
     scene.write_text('name = "x"\nrecord.file = "none.csv"\nstructures = [{ wall = {} }]\n')
     for missing in [
         lambda: pounding.scene(tmp_path / "none.toml"),
         lambda: pounding.read(tmp_path / "none.AT2"),
         lambda: pounding.scene(scene).run(),
+        lambda: towers.assess(tmp_path / "none"),
+        lambda: towers.assess(pulse, target=tmp_path / "none.csv"),
+        lambda: towers.assess(pulse, target="none.csv"),
+        lambda: towers.required_gap(tmp_path / "none"),
+        lambda: towers.sweep(gap=[0.01], records=tmp_path / "none"),
     ]:
         with pytest.raises(FileNotFoundError, match="cannot be read") as caught:
             missing()
@@ -235,3 +240,12 @@ def test_limit_two_restitutions_are_refused() -> None:
     weak = pounding.sdof(mass=1e5, period=1.0)
     with pytest.raises(pounding.Refused, match="one of them"):
         pounding.row(weak, weak, gap=0.01, law=law, restitution=0.65)
+
+
+def test_issue_a_misspelt_field_of_a_storey_is_refused_at_once() -> None:
+    """It was refused by the row, with the number of a structure that nobody counts."""
+    with pytest.raises(pounding.Refused, match="perhaps `mass_kg` is meant") as caught:
+        pounding.building([{"mas": 3e5, "stiffness": 2e8}])
+    assert caught.value.place == "storeys[0].mas" and str(caught.value).startswith("storeys[0].mas: found the field `mas`")
+    with pytest.raises(pounding.Refused, match="perhaps `period_s` is meant"):
+        pounding.building([{"mass": 3e5}], perod=1.0)

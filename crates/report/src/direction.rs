@@ -56,7 +56,7 @@ impl BothDirections {
             },
             Err(error) => Self {
                 sentences: [
-                    sentence(&format!("{}: {}", names[0], run_sentence(prepared, given))),
+                    shaken(names[0], prepared, given),
                     sentence(&format!("{}: this run fails: {}", names[1], error.reason())),
                 ],
                 notices: review.notices(),
@@ -72,7 +72,7 @@ fn sentences(prepared: &Simulation, mut both: [(&str, &RunResult); 2]) -> [Strin
     let strain = |result: &RunResult| {
         let strain = prepared.strain(result);
         strain.map_or((0.0, String::new()), |(share, worst)| {
-            let said = format!("{}: {}", worst.name, worst.kind.brief(worst.found));
+            let said = format!("{}, {}", worst.name, worst.kind.brief(worst.found));
             (share, said)
         })
     };
@@ -90,14 +90,19 @@ fn sentences(prepared: &Simulation, mut both: [(&str, &RunResult); 2]) -> [Strin
     }
     let said = |side: usize| {
         let ((name, result), (_, worst)) = (both[side], &strains[side]);
-        let worse = match (differ, side) {
-            (true, 0) => format!(", worse for the buildings ({worst})"),
-            (true, _) => format!(" ({worst})"),
-            (false, _) => String::new(),
-        };
-        sentence(&format!("{name}{worse}: {}", run_sentence(prepared, result)))
+        let said = shaken(name, prepared, result);
+        match (differ, side) {
+            (true, 0) => format!("{said} This direction is worse for the buildings ({worst})."),
+            (true, _) => format!("{said} Worst here: {worst}."),
+            (false, _) => said,
+        }
     };
     [said(0), said(1)]
+}
+
+/// A run in a direction, in a sentence.
+fn shaken(direction: &str, prepared: &Simulation, result: &RunResult) -> String {
+    sentence(&format!("shaken {direction}, {}", run_sentence(prepared, result)))
 }
 
 /// Returns the excesses of both directions, each kind at its worst, and the warnings.
@@ -166,7 +171,7 @@ pub fn run_sentence(prepared: &Simulation, result: &RunResult) -> String {
         1 => String::new(),
         _ => format!(", at {} of {pairs} pairs of floors", touching(prepared, result)),
     };
-    format!("they touch {times}{at}, {how}{unwatched}")
+    format!("floors touch {times}{at}, {how}{unwatched}")
 }
 
 /// How hard a pair touches, and where: with which force, or how fast.

@@ -31,6 +31,11 @@ impl<'a> Motion<'a> {
         lengths.min().unwrap_or(0)
     }
 
+    /// Time between two states \[s\].
+    pub(super) fn interval(&self) -> f64 {
+        self.histories.interval()
+    }
+
     /// The floors of these states.
     pub(super) fn floors(&self) -> &'a Floors {
         self.prepared.floors()
@@ -89,7 +94,7 @@ impl<'a> Motion<'a> {
     }
 
     /// Pounding force of a compliant pair \[N\], ≥ 0.
-    fn force(&self, pair: usize, row: usize) -> f64 {
+    pub(super) fn force(&self, pair: usize, row: usize) -> f64 {
         // A wall does not move, whatever pushes it: its neighbour tells the force.
         let facing = self.floors().facing()[pair];
         if self.floors().all()[facing.left].is_wall() {

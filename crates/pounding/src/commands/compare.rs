@@ -1,5 +1,6 @@
 //! `pounding compare`: several scenes side by side.
 
+mod brief;
 mod rows;
 
 use std::borrow::Cow;
@@ -17,7 +18,12 @@ use rows::{ComparedRow, ComparedValue, changed};
 const EXAMPLES: &str = "\
 Examples:
   pounding compare today.toml wider-gap.toml other-law.toml
+  pounding compare today.toml wider-gap.toml --details
   pounding compare today.toml wider-gap.toml --json > both.json
+
+The first lines tell what differs, how often and how hard floors touch, the
+largest drift over its limit, and the gap that the buildings need: the larger of
+both directions of shaking. --details prints every floor and pair.
 
 Structures are matched from the left, the floors of buildings and the pairs
 between them storey by storey. Behind a number stands how much larger it is
@@ -33,6 +39,9 @@ pub(crate) struct Arguments {
     /// Do not measure the errors; saves the exact runs.
     #[arg(long)]
     no_error: bool,
+    /// Print every floor and pair in which the scenes differ.
+    #[arg(long, conflicts_with = "json")]
+    details: bool,
     /// Print what is alike in all scenes, too.
     #[arg(long, conflicts_with = "json")]
     all: bool,
@@ -58,8 +67,29 @@ impl ComparedRun {
 pub(crate) fn run(args: &Arguments) -> Result<String, Refused> {
     let run = |path: &PathBuf| run_scene(path, !args.no_error).map_err(|error| error.in_file(path));
     let runs: Vec<ComparedRun> = args.scenes.iter().map(run).collect::<Result<_, _>>()?;
-    let mut rows = of_runs(&runs);
-    let (structures, pairs) = (places(&runs, floor_places), places(&runs, pair_places));
+    if args.json {
+        let files: Vec<_> = runs.iter().map(|run| run.file.display().to_string()).collect();
+        let summaries: Vec<_> = runs.iter().map(|run| Summary::of(&run.prepared, &run.review)).collect();
+        let answer = Answer::new().fact("files", files).fact("runs", json!(summaries));
+        return Ok(answer.text(Form::Json));
+    }
+    let (rows, said) = if args.details || args.all {
+        details(&runs, args.all)
+    } else {
+        brief::rows(&runs)?
+    };
+    let headings = std::iter::once("Scene".into()).chain(names(&runs));
+    let grid = Grid::of(headings, rows.iter().map(ComparedRow::cells).collect());
+    let answer = Answer::new()
+        .table(Where::Terminal, grid.in_blocks())
+        .say(Where::Terminal, "More", said);
+    Ok(answer.text(Form::Brief))
+}
+
+/// The rows of every floor and pair, and a sentence about those that are alike.
+fn details(runs: &[ComparedRun], all: bool) -> (Vec<ComparedRow>, Vec<String>) {
+    let mut rows = of_runs(runs);
+    let (structures, pairs) = (places(runs, floor_places), places(runs, pair_places));
     let words = |what: &str, place: &ComparedPlace, all: &[ComparedPlace]| {
         let several = all.iter().any(|one| one.index == place.index && one != place);
         let floor = format!(", floor {}", place.storey + 1);
@@ -67,28 +97,18 @@ pub(crate) fn run(args: &Arguments) -> Result<String, Refused> {
         format!("{what} {}{floor}", place.index + 1)
     };
     for place in &structures {
-        rows.extend(of_structure(&runs, *place, &words("Structure", place, &structures)));
+        rows.extend(of_structure(runs, *place, &words("Structure", place, &structures)));
     }
     for place in &pairs {
-        rows.extend(of_pair(&runs, *place, &words("Pair", place, &pairs)));
+        rows.extend(of_pair(runs, *place, &words("Pair", place, &pairs)));
     }
-    let (rows, alike) = if args.all { (rows, 0) } else { changed(rows) };
+    let (rows, alike) = if all { (rows, 0) } else { changed(rows) };
     let alike = match alike {
         0 => Vec::new(),
         1 => vec!["1 row is alike; --all prints it".into()],
         _ => vec![format!("{alike} rows are alike; --all prints them")],
     };
-    let headings = std::iter::once("Scene".into()).chain(names(&runs));
-    let grid = Grid::of(headings, rows.iter().map(ComparedRow::cells).collect());
-    let answer = Answer::new()
-        .table(Where::Terminal, grid.in_blocks())
-        .say(Where::Terminal, "More", alike)
-        .fact("files", runs.iter().map(|run| run.file.display().to_string()).collect::<Vec<_>>())
-        .fact(
-            "runs",
-            json!(runs.iter().map(|run| Summary::of(&run.prepared, &run.review)).collect::<Vec<_>>()),
-        );
-    Ok(answer.text(Form::asked(false, false, args.json)))
+    (rows, alike)
 }
 
 /// The place of a floor or a pair in a row, whatever its number in a run.

@@ -24,6 +24,7 @@ mod motion_issues;
 mod motions;
 mod names;
 mod number_lists;
+mod pages;
 mod plans;
 mod promises;
 mod records;

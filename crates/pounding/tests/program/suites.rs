@@ -171,7 +171,17 @@ fn reference_scenes_side_by_side() {
         .expect("a part")
         .replace("\"towers\"", "\"apart\"");
     fs::write(folder.join("apart.toml"), third).expect("a file");
-    let text = pounding(&folder, &["compare", "towers.toml", "wider.toml", "apart.toml"]);
+    let text = pounding(&folder, &["compare", "towers.toml", "wider.toml", "apart.toml", "--details"]);
+    assert_snapshot!(printed(&text));
+}
+
+/// Four gaps made 247 lines without a summary, of one direction of shaking.
+#[test]
+fn issue_a_comparison_begins_with_six_lines() {
+    let folder = suite("compare_brief");
+    let wide = TOWERS.replace("0.01\n", "0.1\n").replace("\"towers\"", "\"wider\"");
+    fs::write(folder.join("wider.toml"), wide).expect("a file");
+    let text = pounding(&folder, &["compare", "towers.toml", "wider.toml"]);
     assert_snapshot!(printed(&text));
 }
 

@@ -14,6 +14,7 @@ Units are SI everywhere: kg, m, s, N, m/s². Names of columns end with their uni
 from ._answers import certify, compare, laws
 from ._errors import PoundingWarning, Refused
 from ._folder import Assessment
+from ._plots import plot_required_gap, plot_sweep
 from ._record import Record, formula, read, record
 from ._run import Run
 from ._scene import Scene, row, scene
@@ -31,6 +32,8 @@ __all__ = [
     "compare",
     "formula",
     "laws",
+    "plot_required_gap",
+    "plot_sweep",
     "read",
     "record",
     "row",

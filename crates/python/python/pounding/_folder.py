@@ -16,10 +16,11 @@ from typing import TYPE_CHECKING, Any
 
 from . import _pounding
 from ._record import Record, read
-from ._words import visible
+from ._words import present, visible
 
 if TYPE_CHECKING:
     import pandas
+    from matplotlib.figure import Figure
 
 __all__ = ["Assessment"]
 
@@ -28,7 +29,7 @@ __all__ = ["Assessment"]
 def folder_of(records: str | os.PathLike[str] | Iterable[Record]) -> Iterator[Path]:
     """The folder of records. Records in memory are written to a temporary folder."""
     if isinstance(records, (str, os.PathLike)):
-        yield Path(os.fspath(records))
+        yield present(Path(os.fspath(records)))
     else:
         with tempfile.TemporaryDirectory() as name:
             folder = Path(name)
@@ -123,6 +124,15 @@ class Assessment:
         found["scale_factor"] = [float(value) for value in found["scale_factor"]]
         found["reversed"] = found["reversed"] == "true"
         return found
+
+    def plot(self) -> Figure:
+        """Draws the share of the events that need more than a gap while the buildings stand alone, a panel per gap."""
+        from ._figures import of_gaps
+
+        gaps = [
+            (f"{gap['left']} – {gap['right']}", gap["required_sorted_m"], gap["gap_m"]) for gap in self.facts["gaps"]
+        ]
+        return of_gaps(gaps, "events")
 
     def report(self, folder: str | os.PathLike[str], *, overwrite: bool = False) -> Path:
         """Writes ``report.html``, ``assess.csv``, ``assess.json`` and figures. Returns the path of the page."""

@@ -164,27 +164,12 @@ class Run:
         return [visible(one) for one in sentences]
 
     def plot(self) -> Figure:
-        """Draws displacements and openings over time by matplotlib."""
-        from ._figures import Picture
+        """Draws the run by matplotlib: displacements over time of up to six floors, of more floors the peak drifts over the height, and the
+        gaps over time.
+        """
+        from ._figures import of_run
 
-        names = [str(name) for name in self._native.table("peaks").column("name")]
-        pairs = self._native.table("pairs")
-        figure = Picture(figsize=(8, 5), layout="constrained")
-        above, below = figure.subplots(2, 1, sharex=True)
-        for name, column in zip(names, self.displacement.T):
-            above.plot(self.time, 1e3 * column, linewidth=0.8, label=name)
-        above.set_ylabel("displacement [mm]")
-        above.legend(fontsize="small")
-        opening = self.opening
-        if opening.size:
-            left, right = pairs.column("left"), pairs.column("right")
-            for one, other, column in zip(left, right, opening.T):
-                below.plot(self.time, 1e3 * column, linewidth=0.8, label=f"{one} – {other}")
-            below.legend(fontsize="small")
-        below.axhline(0.0, color="black", linewidth=0.5)
-        below.set_ylabel("opening of the gap [mm]")
-        below.set_xlabel("time [s]")
-        return figure
+        return of_run(self)
 
     def report(
         self, folder: str | os.PathLike[str], *, both: bool = True, overwrite: bool = False

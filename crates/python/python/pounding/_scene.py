@@ -19,7 +19,7 @@ from ._run import Run
 from ._tables import frame
 from ._structures import Law, for_each, law_of
 from ._sweep import arrays_of, restitution_of, spread
-from ._words import refused, table_of, to_json, visible, warn, words
+from ._words import AT_REST, present, refused, table_of, to_json, visible, warn, words
 
 if TYPE_CHECKING:
     import pandas
@@ -35,10 +35,6 @@ Shaking = Record | str | os.PathLike[str]
 def record_of(given: Shaking) -> Record:
     """The given record, or the record read from a path."""
     return given if isinstance(given, Record) else read(given)
-
-
-#: The record of a row without one: a ground at rest.
-_NOBODY = {"generated": {"half_sine": {"amplitude_m_per_s2": 0.0, "duration_s": 1.0, "time_step_s": 0.5}}}
 
 
 def row(
@@ -123,7 +119,36 @@ def row(
         given["method"] = method
     if duration is not None:
         given["duration_s"] = duration
-    return Scene(to_json({**given, "record": _NOBODY}), "scene.json", None, False)
+    return Scene(to_json({**given, "record": AT_REST}), "scene.json", None, False)
+
+
+#: Responses of a floor in the answer about effects: name there, name of columns, unit.
+_EFFECTS = (("drift_m", "drift", "m"), ("shear_n", "shear_force", "n"), ("acceleration_m_per_s2", "acceleration", "m_per_s2"))
+
+
+def effect_row(floor: Mapping[str, Any], is_reversed: bool, buildings: Sequence[str]) -> dict[str, Any]:
+    """A floor of the answer about effects as a row of a table."""
+    building, found, level = str(floor["name"]).rpartition(", floor ")
+    is_level = bool(found) and building in buildings and level.isdecimal()
+    row: dict[str, Any] = {
+        "building": building if is_level else floor["name"],
+        "storey": int(level) if is_level else 1,
+        "name": floor["name"],
+        "reversed": is_reversed,
+    }
+
+    def known(name: str, number: Mapping[str, Any] | None) -> None:
+        for end, key in (("", "value"), ("_low", "low"), ("_high", "high")):
+            row[f"{name}{end}"] = None if number is None else number[key]
+
+    for name in ("collisions", "impulse_n_s", "largest_impulse_n_s"):
+        known(name, floor[name])
+    for key, name, unit in _EFFECTS:
+        effect = floor.get(key)
+        row[f"{name}_alone_{unit}"] = effect and effect["alone"]
+        row[f"{name}_{unit}"] = effect and effect["beside"]
+        known(f"{name}_amplification", effect and effect["amplification"])
+    return row
 
 
 def scene(source: str | os.PathLike[str] | Mapping[str, Any]) -> Scene:
@@ -136,7 +161,7 @@ def scene(source: str | os.PathLike[str] | Mapping[str, Any]) -> Scene:
     """
     if isinstance(source, Mapping):
         own = "record" in source
-        given = source if own else {**source, "record": _NOBODY}
+        given = source if own else {**source, "record": AT_REST}
         return Scene(to_json(given), "scene.json", None, own)
     path = os.fspath(source)
     return Scene(_pounding.read_words(Path(path)), path, None, True)
@@ -183,7 +208,7 @@ class Scene:
         own = self._own or "record" in fields
         record = None if "record" in fields else self._record
         if not own and record is None:
-            changed["record"] = _NOBODY
+            changed["record"] = AT_REST
         return Scene(to_json(changed), self._path, record, own)
 
     def under(self, record: Shaking) -> Scene:
@@ -236,14 +261,19 @@ class Scene:
         run._warn()
         return run
 
-    def effects(self, record: Shaking | None = None) -> dict[str, Any]:
+    def effects(self, record: Shaking | None = None) -> pandas.DataFrame:
         """Effects of pounding on every storey, against the building without neighbours, in both directions of shaking, by 24 exact runs.
 
-        Names end with units.
+        The table has one row per direction and floor: its responses alone and beside the neighbours, and how many times larger they
+        become. ``…_low`` and ``…_high`` are the least and the largest value when the record is made one per cent weaker, stronger, faster
+        or slower. Names of columns end with SI units.
         """
+        import pandas
+
         text, path, native = self._given(record)
         found: dict[str, Any] = json.loads(_pounding.effects(text, path, native))
-        return found
+        names = [str(fields["name"]) for one in self.to_dict()["structures"] if isinstance(one, dict) for fields in one.values() if "name" in fields]
+        return pandas.DataFrame([row for key in ("as_given", "reversed") for one in found[key] for row in [effect_row(one, key == "reversed", names)]])
 
     def advise(
         self,
@@ -314,6 +344,8 @@ class Scene:
 
         scale = scale if isinstance(scale, str) else to_json(scale)
         spectrum = None if target is None else os.fspath(target)
+        if isinstance(target, os.PathLike) or (spectrum or "").lower().endswith(".csv"):
+            present(Path(str(spectrum)))
         with folder_of(records) as folder:
             native = _pounding.assess(
                 self._text, Path(self._path), folder, scale, spectrum, list(stiffness), code, shown(progress)
@@ -493,7 +525,7 @@ class Scene:
         elif not self._own:
             if not replaced:
                 self._given(None)
-            scene["record"] = _NOBODY
+            scene["record"] = AT_REST
         return scene, base.with_name("sweep.json")
 
     def to_opensees(

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from pathlib import Path
 from typing import Any, Union
 
+from . import _pounding
 from ._errors import Refused
-from ._words import STRUCTURE, table_of, words
+from ._words import AT_REST, STRUCTURE, table_of, to_json, words
 
 __all__ = ["building", "sdof", "wall"]
 
@@ -114,7 +116,22 @@ def building(
             for index, storey in enumerate(storeys)
         ],
     }
-    return {"building": words(given, STRUCTURE)}
+    return with_known_fields({"building": words(given, STRUCTURE)})
+
+
+def with_known_fields(made: Structure) -> Structure:
+    """The structure, unless a field is misspelt: then it is refused in the words of the program, before it stands in a row."""
+    ((kind, fields),) = made.items()
+    alone = {"name": "row", "record": AT_REST, "structures": [{kind: {**fields, "name": fields.get("name", "structure")}}]}
+    try:
+        _pounding.check_scene(to_json(alone), Path("scene.json"))
+    except Refused as refused:
+        if (refused.found or "").startswith("the field "):
+            prefix = f"structures[0].{kind}."
+            place = (refused.place or "").removeprefix(prefix)
+            said = str(refused).replace(prefix, "", 1)
+            raise Refused(said, place, refused.found, refused.allowed, refused.help) from None
+    return made
 
 
 def wall() -> Structure:

@@ -4,8 +4,12 @@ from __future__ import annotations
 
 import json
 import os
+import re
+import sys
 import warnings
 from collections.abc import Mapping
+from pathlib import Path
+from types import FrameType
 from typing import Any
 
 import numpy as np
@@ -48,6 +52,9 @@ FORMULA = {
     "cutoff": "cutoff_hz",
 }
 
+#: The record of a row without one: a ground at rest.
+AT_REST = {"generated": {"half_sine": {"amplitude_m_per_s2": 0.0, "duration_s": 1.0, "time_step_s": 0.5}}}
+
 
 def words(keywords: Mapping[str, Any], fields: Mapping[str, str]) -> dict[str, Any]:
     """The keywords with a value, under their names in a file."""
@@ -81,8 +88,38 @@ def visible(text: str) -> str:
 
 
 def warn(text: str, stacklevel: int) -> None:
-    """Warns the caller that is ``stacklevel`` calls above this function."""
-    warnings.warn(visible(text), PoundingWarning, stacklevel=stacklevel + 1)
+    """Warns the caller that is ``stacklevel`` calls above this function.
+
+    Warnings of one line of code that differ in their numbers alone, as those of the runs of a loop, are shown once.
+    """
+    text = visible(text)
+    caller = sys._getframe(stacklevel)
+    kind = re.sub(r"\d+(\.\d+)?", "#", text)
+    place = ("pounding", caller.f_code.co_filename, caller.f_lineno)
+    # Python empties this registry if filters change, and IPython before a cell runs. An equal text is left to Python.
+    shown = caller.f_globals.get("__warningregistry__", {}).get(place, {})
+    if shown.get(kind, text) != text and _once(text, caller):
+        return
+    warnings.warn(text, PoundingWarning, stacklevel=stacklevel + 1)
+    caller.f_globals.setdefault("__warningregistry__", {}).setdefault(place, {}).setdefault(kind, text)
+
+
+def _once(text: str, caller: FrameType) -> bool:
+    """Whether the filters show equal warnings of a line of code once."""
+    module = str(caller.f_globals.get("__name__", ""))
+    for action, message, category, of_module, line in warnings.filters:
+        says = message is None or re.match(message, text)
+        is_there = (of_module is None or re.match(of_module, module)) and line in (0, caller.f_lineno)
+        if issubclass(PoundingWarning, category) and says and is_there:
+            return action in ("default", "module", "once")
+    return True
+
+
+def present(path: Path) -> Path:
+    """The path; raises the ``FileNotFoundError`` of the program if nothing is there."""
+    if not path.exists():
+        _pounding.read_words(path)
+    return path
 
 
 def table_of(value: object, place: str, example: str) -> Mapping[str, Any]:

@@ -38,7 +38,7 @@ pub fn record_facts(prepared: &Simulation) -> Vec<String> {
 }
 
 /// What was done to the ground motion, and the factor that came of it.
-fn processed(record: &RecordSummary) -> String {
+pub(super) fn processed(record: &RecordSummary) -> String {
     if record.processing.is_empty() {
         return "none: as its source has it".into();
     }

@@ -9,11 +9,16 @@ mod verdict;
 
 pub use facts::{method_facts, record_facts};
 pub use scene::damping_facts;
+pub(crate) use scene::{given as damping_given, parameters};
 
 use pounding_scene::{Excess, Implausible, RunResult, Warning};
-use pounding_text::{Answer, Grid, Manner, Where};
+use pounding_text::{Answer, Grid, Manner, Where, digits};
 
+use crate::assumed::{self, Assumed, SCENE};
+use crate::not_modelled::{self, Found};
 use crate::page::{BEFORE, UNUSUAL, sentence};
+use crate::row;
+use crate::summary::RecordSummary;
 use crate::{InWords, Report, Summary};
 
 impl Report<'_> {
@@ -24,10 +29,17 @@ impl Report<'_> {
         let (summary, words) = (self.summary(), InWords::of(prepared, review));
         let unusual = Implausible::lines(summary.unusual.iter().map(|one| ("", one)));
         let answer = Answer::new().say_as(Where::Everywhere, Manner::Box(UNUSUAL), "Unusual", unusual);
+        let answer = answer.say_as(Where::Page, Manner::Box(BEFORE), "", self.notices());
+        // One box answers; the run of the scene's own direction follows it as a list.
+        let manner = match self.directions {
+            Some(_) => Manner::List,
+            None => verdict::manner(&summary),
+        };
         let answer = self
             .both_directions(answer)
             .say(Where::FirstScreen, "Scene", brief::scene(prepared, review))
-            .say_as(Where::Page, verdict::manner(&summary), "", verdict::lines(&summary, review))
+            .say_as(Where::Page, manner, "", verdict::lines(&summary, review))
+            .say_as(Where::Page, Manner::Box(not_modelled::TITLE), "", self.not_modelled())
             .table(Where::FirstScreen, brief::pairs(prepared, &review.outcome))
             .say(Where::FirstScreen, "Apart", brief::apart(prepared, &review.outcome))
             .table(Where::FirstScreen, brief::buildings(prepared, &words));
@@ -35,6 +47,13 @@ impl Report<'_> {
             .warnings(answer)
             .figure("animation")
             .figure("profiles")
+            .table(
+                Where::Page,
+                row::table(prepared.scene(), prepared.floors(), "Times", row::of_run(prepared, &review.outcome)),
+            )
+            .figure("blow")
+            .heading("What was assumed")
+            .table(Where::Page, self.assumed())
             .appendix("motion")
             .figure("displacements")
             .heading("Pairs")
@@ -131,7 +150,38 @@ impl Report<'_> {
             };
             return answer.say(Where::Terminal, "Warnings", vec![besides.into()]);
         }
-        answer.say_as(Where::Everywhere, Manner::Box(BEFORE), "Warnings", warnings)
+        answer.say(Where::Terminal, "Warnings", warnings)
+    }
+
+    /// The effects that the model leaves out and that matter for the scene.
+    fn not_modelled(&self) -> Vec<String> {
+        let both = std::iter::once(&self.review.outcome).chain(self.other());
+        let found: Vec<_> = both.clone().flat_map(|run| self.prepared.excesses(run)).collect();
+        let found = Found {
+            scene: self.prepared.scene(),
+            excesses: &found,
+            touch: both.into_iter().any(|run| !run.collisions.all().is_empty()),
+        };
+        found.not_modelled()
+    }
+
+    /// What the run assumes.
+    fn assumed(&self) -> Grid {
+        let (prepared, scene) = (self.prepared, self.prepared.scene());
+        let method = scene.method.name().replace('_', " ");
+        let step = scene.method.time_step();
+        let step = step.map_or_else(String::new, |step| format!(", steps of {} s", digits(step)));
+        let directions = match self.directions {
+            Some(_) => "both, as given and reversed",
+            None => scene.record.direction(),
+        };
+        let first = vec![
+            Assumed::new("Method", format!("{method}{step}"), SCENE),
+            assumed::duration(scene, prepared.duration()),
+            Assumed::new("Directions of shaking", directions, SCENE),
+            Assumed::new("Scaling of the record", facts::processed(&RecordSummary::of(prepared)), SCENE),
+        ];
+        Assumed::table(first, scene, prepared.floors())
     }
 }
 

@@ -121,7 +121,7 @@ pub fn damping_facts(prepared: &Simulation, outcome: &RunResult) -> Vec<String> 
 }
 
 /// How the damping was given, if not as a ratio of one mode.
-fn given(structure: &Structure) -> Option<String> {
+pub(crate) fn given(structure: &Structure) -> Option<String> {
     let (damping, storeys) = match structure {
         Structure::Sdof(sdof) => (sdof.damping, 1),
         Structure::Building(building) => (building.damping, building.storeys.len()),
@@ -157,7 +157,7 @@ pub(super) fn contacts(scene: &Scene) -> Grid {
 }
 
 /// The parameters of the law, in the words of a scene.
-fn parameters(contact: &Contact) -> String {
+pub(crate) fn parameters(contact: &Contact) -> String {
     let law = serde_json::to_value(contact.law).unwrap_or_default();
     let parameter = |(name, value): (&String, &serde_json::Value)| {
         let value = value.as_f64().map_or_else(|| value.to_string(), short);

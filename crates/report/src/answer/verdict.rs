@@ -36,7 +36,7 @@ pub(super) fn lines(summary: &Summary, review: &Review) -> Vec<String> {
         let n: usize = touching.iter().map(|one| one.0.collisions()).sum();
         let pairs = match summary.pairs.len() {
             1 => String::new(),
-            all => format!(" at {} of {all} gaps", touching.len()),
+            all => format!(" at {} of {all} pairs of floors", touching.len()),
         };
         let first = format!("They touch {}{pairs}{}.", times(n), against(n, exact));
         let hardest = touching.iter().take(MOST).map(|(pair, largest)| collisions(pair, largest));

@@ -8,6 +8,7 @@ use super::AssessmentReport;
 use super::tables::{first, statistics};
 use crate::SCHEMA_VERSION;
 use crate::gaps::says_moat;
+use crate::not_modelled;
 use crate::page::{BEFORE, UNUSUAL, sentence};
 use crate::rules::notes;
 
@@ -22,15 +23,25 @@ impl AssessmentReport {
         };
         let answer = Answer::new()
             .say_as(Where::Everywhere, Manner::Box(UNUSUAL), "Unusual", unusual)
+            .say_as(Where::Page, Manner::Box(BEFORE), "", self.warnings())
             .say_as(Where::Everywhere, verdict, "Answer", self.sentences())
             .figure("animation")
             .say_as(Where::Everywhere, Manner::Beside, "Motions", self.shaking())
-            .say_as(Where::Everywhere, Manner::Box(BEFORE), "Warnings", self.warnings())
+            .say(Where::Terminal, "Warnings", self.warnings())
+            .say_as(Where::Page, Manner::Box(not_modelled::TITLE), "", self.not_modelled())
+            .figure("spectra")
             .heading("Required gap")
             .say(Where::Page, "", vec![REQUIRED.into()])
             .table(Where::Everywhere, first(&self.gaps()))
             .figure("gap")
+            .heading("Rules of codes beside the time history")
+            .say(Where::Page, "", vec![RULES.into()])
+            .table(Where::Page, self.official())
+            .say_as(Where::Page, Manner::Soft, "", self.rule_notes())
+            .table(Where::Page, self.meetings())
             .figure("profiles")
+            .heading("What was assumed")
+            .table(Where::Page, self.assumed())
             .appendix("what touching does");
         let answer = self.touching(answer).figure("amplification").figure("neighbour");
         let answer = self.rules_and_motions(answer);
@@ -84,23 +95,16 @@ impl AssessmentReport {
         answer
     }
 
+    /// What stands beside the widths of rules: their sources, and why a moat has none.
+    fn rule_notes(&self) -> Vec<String> {
+        let notes = notes(&self.scene, &self.ruled_gaps(), &Rule::ALL);
+        notes.into_iter().chain(says_moat(&self.floors)).collect()
+    }
+
     fn rules_and_motions<'a>(&'a self, answer: Answer<'a>) -> Answer<'a> {
         answer
-            .heading("Rules of codes")
-            .say(Where::Page, "", vec![RULES.into()])
-            .table(Where::Everywhere, first(&self.rules()))
-            .say_as(
-                Where::Everywhere,
-                Manner::Soft,
-                "Rules",
-                notes(&self.scene, &self.ruled_gaps(), &Rule::ALL),
-            )
-            .say_as(
-                Where::Everywhere,
-                Manner::Soft,
-                "Moat",
-                says_moat(&self.floors).into_iter().collect(),
-            )
+            .table(Where::Terminal, first(&self.rules()))
+            .say_as(Where::Terminal, Manner::Soft, "Rules", self.rule_notes())
             .heading("Motions")
             .table(Where::Details, self.runs().grid())
             .say_as(Where::Everywhere, Manner::List, "Records", self.remarks().to_vec())
@@ -152,8 +156,8 @@ impl AssessmentReport {
 const REQUIRED: &str = "The width that keeps the neighbours apart under an event: the largest closing of the gap while every building stands \
                         alone, of its components in both directions.";
 
-const RULES: &str = "Each rule takes the displacements of the time history of both buildings standing alone. “At worst” is its width as a \
-                     part of the one that is needed.";
+const RULES: &str = "Each rule in its own form, with the displacements u of the time history of both buildings standing alone. “At worst” is \
+                     its width as a part of the one that the time history needs.";
 
 const STOREYS: &str = "Median / 84 % of the events in which their building touches, of fewer than seven events the largest alone. Drift and shear force \
                        are those of the storey; the acceleration is that of the floor above it, with the contact that gives least to the one that \

@@ -173,7 +173,7 @@ impl AssessmentReport {
     }
 
     /// Responses beyond the model or beyond codes, over all runs.
-    fn excesses(&self) -> Vec<Excess> {
+    pub(super) fn excesses(&self) -> Vec<Excess> {
         let runs = self.motions.iter();
         Excess::gathered(runs.map(|one| &one.run.excesses))
     }

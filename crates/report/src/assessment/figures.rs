@@ -6,13 +6,13 @@ use pounding_text::millimetres;
 
 use super::AssessmentReport;
 use super::prior::OfNeighbour;
-use super::profiles;
+use super::{profiles, spectra};
 use crate::figures::Illustration;
 use crate::figures::effects::{as_alone, borders};
 use crate::sketch::{self, Sketch};
 
 /// The names that figures can have, without the ends of their files.
-pub(super) const NAMES: [&str; 5] = ["row", "gap", "profiles", "neighbour", "amplification"];
+pub(super) const NAMES: [&str; 6] = ["row", "gap", "profiles", "neighbour", "amplification", "spectra"];
 
 /// Most gaps of one figure.
 const MOST_GAPS: usize = 6;
@@ -38,6 +38,13 @@ pub(super) fn all(report: &AssessmentReport) -> Vec<Illustration> {
         ),
         drawn: render_both(&share(report)),
     });
+    if let Some((figure, caption)) = spectra::figure(report) {
+        all.push(Illustration {
+            name: NAMES[5],
+            caption,
+            drawn: render_both(&figure),
+        });
+    }
     if let Some(figure) = profiles::figure(report) {
         all.push(Illustration {
             name: NAMES[2],

@@ -4,6 +4,7 @@ mod answer;
 mod bumper;
 mod cautions;
 mod consequences;
+mod context;
 mod figures;
 mod gap_answers;
 mod numbers;
@@ -11,6 +12,7 @@ mod of_lines;
 mod page;
 mod prior;
 mod profiles;
+mod spectra;
 mod tables;
 mod words;
 
@@ -39,7 +41,7 @@ pub struct AssessedMotion {
     pub neighbour: Option<DrawnNeighbour>,
     /// What bumpers make of it, if something touches without them.
     pub bumper: Option<BumperRun>,
-    /// Its spectrum, if it is scaled to one.
+    /// Its spectrum as it shakes the row; `None` if it cannot be computed.
     pub spectrum: Option<MotionSpectrum>,
     /// Results of the run.
     pub run: AssessedRun,

@@ -3,7 +3,7 @@
 use pounding_assess::{
     BumperEffect, Distribution, FloorAssessment, FloorBumperEffect, GapAssessment, PairAssessment, PairBumperEffect, RuleAssessment,
 };
-use pounding_text::{Cell, Shown, Table, Unit, two_decimals, two_digits};
+use pounding_text::{Cell, Shown, Table, Unit, percent, two_decimals, two_digits};
 use serde_json::{Value, json};
 
 use super::{AssessedMotion, AssessmentReport};
@@ -162,7 +162,16 @@ impl AssessmentReport {
                     format!("{} to {}", two_decimals(least.upper()), two_decimals(largest.upper()))
                 },
             )
-            .number("largest_drift_m", "Largest drift", &Unit::WIDTH, |(_, one)| one.largest_drift)
+            .both(
+                "largest_drift_m",
+                ("Largest drift", "mm"),
+                |(_, one)| Cell::exact(one.largest_drift),
+                move |(index, one)| {
+                    let height = floor(*index).made_of.and_then(|made| made.height_m);
+                    let ratio = height.map_or_else(String::new, |height| format!(" ({})", percent(one.largest_drift / height)));
+                    format!("{}{ratio}", Unit::WIDTH.text_of(one.largest_drift, 0.0))
+                },
+            )
             .column("worse", |(_, one)| one.is_worse())
     }
 

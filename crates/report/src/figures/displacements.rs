@@ -52,7 +52,7 @@ pub(super) fn figure(seen: &Seen<'_>) -> (Figure, String) {
         panels.extend(below);
     }
     let height_in = 1.7 + 1.5 * panels.len() as f64;
-    let caption = caption(seen, &panels, markers.is_empty());
+    let caption = caption(seen, &panels, markers.is_empty()) + &seen.says_end();
     for (index, panel) in panels.iter_mut().enumerate() {
         panel.markers = if storeys {
             // A pair has its own marks; stems mark themselves.
@@ -64,7 +64,7 @@ pub(super) fn figure(seen: &Seen<'_>) -> (Figure, String) {
     }
     let figure = Figure {
         height_in,
-        x: Axis::over("Time (s)", 0.0, seen.prepared.duration()),
+        x: Axis::over("Time (s)", 0.0, seen.until),
         panels,
         ..Figure::default()
     };

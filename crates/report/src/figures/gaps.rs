@@ -12,7 +12,7 @@ pub(super) fn figure(seen: &Seen<'_>) -> Option<(Figure, String)> {
     let figure = Figure {
         // The table of pairs and all panels fit on one page.
         height_in: 1.0 + if pairs.len() > 2 { 1.25 } else { 1.5 } * pairs.len() as f64,
-        x: Axis::over("Time (s)", 0.0, seen.prepared.duration()),
+        x: Axis::over("Time (s)", 0.0, seen.until),
         panels: pairs.iter().map(|&pair| panel(seen, pair)).collect(),
         ..Figure::default()
     };
@@ -35,7 +35,7 @@ pub(super) fn figure(seen: &Seen<'_>) -> Option<(Figure, String)> {
 fn panel(seen: &Seen<'_>, pair: usize) -> Panel {
     let gap = 1e3 * seen.prepared.pairs()[pair].gap();
     let closing = seen.curve(|row| gap - 1e3 * seen.motion.opening(pair, row));
-    let level = vec![(0.0, gap), (seen.prepared.duration(), gap)];
+    let level = vec![(0.0, gap), (seen.until, gap)];
     let starts = seen.collisions(&[pair]).map(|one| one.start).collect();
     let touches = sparse_markers(starts);
     let mut curves = vec![

@@ -21,7 +21,10 @@ pub(super) fn figure(seen: &Seen<'_>) -> (Figure, String) {
     let gravity = seen.prepared.scene().record.gravity_m_per_s2;
     let spectrum = spectrum(seen, gravity);
     let spectral = match spectrum {
-        Some(_) => " Below, its pseudo-acceleration spectrum for a damping ratio of 5 %, with the periods of the structures marked.",
+        Some(_) => {
+            " Below, its pseudo-acceleration spectrum for a damping ratio of 5 %, with the periods of the structures marked. Grey upright lines: 0.2 times the shortest and 2 \
+                    times the longest period, between which codes compare spectra."
+        }
         None => " Its response spectrum could not be computed.",
     };
     let structures = seen.prepared.scene().structures.iter();
@@ -41,7 +44,7 @@ pub(super) fn figure(seen: &Seen<'_>) -> (Figure, String) {
 
 fn acceleration(seen: &Seen<'_>, gravity: f64) -> Panel {
     let record = seen.prepared.record();
-    let duration = seen.prepared.duration();
+    let duration = seen.until;
     let samples = record.samples().iter().enumerate();
     let points = samples.map(|(i, sample)| (i as f64 * record.time_step(), sample / gravity));
     let points = thinned(points.take_while(|point| point.0 <= duration).collect());
@@ -101,7 +104,12 @@ fn spectrum(seen: &Seen<'_>, gravity: f64) -> Option<Panel> {
         let label = format!("{name} (T = {} s)", brief(*period, 3));
         curves.push(curve.marked(MARKS[position % MARKS.len()]).named(label));
     }
+    let ends = own
+        .iter()
+        .fold([f64::INFINITY, 0.0], |[least, most], one| [one.1.min(least), one.1.max(most)]);
+    let between = [0.2 * ends[0], 2.0 * ends[1]].into_iter();
     Some(Panel {
+        markers: between.filter(|period| (periods[0]..=longest).contains(period)).collect(),
         x: Some(Axis::over("Natural period (s)", periods[0], longest).log()),
         y: Axis {
             range: around(heights(&curves).chain([0.0]), 0.0, 0.08),

@@ -1,5 +1,6 @@
 //! What a report shows: each picture as plain data, then as SVG and PNG.
 
+mod blow;
 mod displacements;
 pub(crate) mod effects;
 mod gaps;
@@ -21,7 +22,15 @@ use rayon::prelude::*;
 use shown::Selection;
 
 /// The names that pictures can have, without the ends of their files.
-pub(super) const NAMES: [&str; 6] = ["profiles", "displacements", "gaps", "effects", "hysteresis", "ground-motion"];
+pub(super) const NAMES: [&str; 7] = [
+    "profiles",
+    "displacements",
+    "gaps",
+    "effects",
+    "blow",
+    "hysteresis",
+    "ground-motion",
+];
 
 /// A picture of a report.
 #[derive(Debug)]
@@ -50,9 +59,55 @@ struct Seen<'a> {
     outcome: &'a RunResult,
     motion: Motion<'a>,
     shown: &'a Selection,
+    /// Where axes of time end \[s\].
+    until: f64,
+}
+
+/// Motion below this part of its largest value is at rest in pictures \[–\].
+const AT_REST: f64 = 0.02;
+/// An axis that would be shortened by less than a fifth goes to the end of the run.
+const WORTH: f64 = 0.8;
+
+/// The instant after which pictures have nothing to show: everything moves by less than 2 % of its largest motion \[s\].
+fn end_of_motion(motion: Motion<'_>, outcome: &RunResult) -> f64 {
+    let prepared = motion.prepared;
+    let ends = |values: &mut dyn Iterator<Item = f64>, interval: f64| {
+        let values: Vec<f64> = values.collect();
+        let last = values.last().copied().unwrap_or(0.0);
+        let away = |value: &f64| (value - last).abs();
+        let most = values.iter().map(away).fold(0.0, f64::max);
+        let moves = values.iter().rposition(|value| away(value) > AT_REST * most);
+        moves.map_or(0.0, |row| row as f64 * interval)
+    };
+    let floors = 0..prepared.floors().all().len();
+    let of_floors = floors.map(|floor| ends(&mut motion.states(floor).iter().map(|state| state.displacement), motion.interval()));
+    let record = prepared.record();
+    let of_ground = ends(&mut record.samples().iter().copied(), record.time_step());
+    let of_collisions = outcome.collisions.all().iter().map(|one| one.end);
+    let end = of_floors.chain(of_collisions).fold(of_ground, f64::max);
+    let end = (1.03 * end).ceil();
+    if end < WORTH * prepared.duration() {
+        end
+    } else {
+        prepared.duration()
+    }
 }
 
 impl<'a> Seen<'a> {
+    /// A sentence about what the axes of time leave out; empty if they go to the end of the run.
+    fn says_end(&self) -> String {
+        let duration = self.prepared.duration();
+        if self.until < duration {
+            format!(
+                " From {} s to the end of the run, at {} s, everything moves by less than 2 % of its largest motion.",
+                digits(self.until),
+                digits(duration)
+            )
+        } else {
+            String::new()
+        }
+    }
+
     /// Collisions between these pairs.
     fn collisions<'p>(&self, pairs: &'p [usize]) -> impl Iterator<Item = &'p Collision>
     where
@@ -64,7 +119,7 @@ impl<'a> Seen<'a> {
 
     /// A quantity of one structure over time.
     fn curve(&self, quantity: impl Fn(usize) -> f64) -> Vec<(f64, f64)> {
-        let rows = 0..self.motion.len();
+        let rows = (0..self.motion.len()).take_while(|row| self.motion.time(*row) <= self.until);
         thin::thinned(rows.map(|row| (self.motion.time(row), quantity(row))).collect())
     }
 }
@@ -77,12 +132,14 @@ pub(super) fn illustrations(motion: Motion<'_>, outcome: &RunResult, pairs: &[Pa
         outcome,
         motion,
         shown: &Selection::of(prepared, pairs),
+        until: end_of_motion(motion, outcome),
     };
-    let figures: [Option<(Figure, String)>; 6] = [
+    let figures: [Option<(Figure, String)>; NAMES.len()] = [
         profiles::figure(prepared, outcome, known),
         Some(displacements::figure(&seen)),
         gaps::figure(&seen),
         known.effects.and_then(|all| effects::figure(all, prepared)),
+        blow::figure(&seen),
         hysteresis::figure(&seen),
         Some(ground::figure(&seen)),
     ];

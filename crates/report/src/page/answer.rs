@@ -2,7 +2,7 @@
 
 use pounding_text::{Answer, Grid, Manner, Part, Sentences, Shown, Where};
 
-use super::markup::{escaped, facts, list, signed};
+use super::markup::{escaped, facts, list, prose, signed};
 use super::{beside, boxed};
 
 /// The parts of an answer for a page; `figure` draws the figure of a name, or returns `None` if the answer has no such figure.
@@ -32,7 +32,7 @@ pub(crate) fn html(answer: &Answer<'_>, mut figure: impl FnMut(&str) -> String) 
 }
 
 fn sentences(words: &Sentences) -> String {
-    let paragraph = |class: &str, line: &String| format!("<p{class}>{}</p>\n", escaped(line));
+    let paragraph = |class: &str, line: &String| format!("<p{class}>{}</p>\n", prose(line));
     let lines = words.lines.iter();
     match words.manner {
         Manner::Plain => lines.map(|line| paragraph("", line)).collect(),
@@ -47,7 +47,7 @@ fn sentences(words: &Sentences) -> String {
             let more = if more.is_empty() { String::new() } else { list(more) };
             format!(
                 "<div class=\"verdict{touch}\">\n{before}<p><strong>{}</strong></p>\n{more}</div>\n",
-                escaped(first)
+                prose(first)
             )
         }
         Manner::Facts => {
@@ -62,10 +62,7 @@ fn sentences(words: &Sentences) -> String {
 
 /// A table under its headings.
 pub(crate) fn table(grid: &Grid) -> String {
-    let headings = grid
-        .headings
-        .iter()
-        .map(|heading| format!("<th>{}</th>", escaped(&heading.title())));
+    let headings = grid.headings.iter().map(|heading| format!("<th>{}</th>", prose(&heading.title())));
     let headings: String = headings.collect();
     let row = |cells: &Vec<Shown>| {
         let cells: String = cells.iter().map(cell).collect();
@@ -77,12 +74,12 @@ pub(crate) fn table(grid: &Grid) -> String {
 
 fn cell(shown: &Shown) -> String {
     let below = shown.below.as_ref();
-    let below = below.map_or_else(String::new, |text| format!("<small>{}</small>", escaped(text)));
+    let below = below.map_or_else(String::new, |text| format!("<small>{}</small>", prose(text)));
     let class = if shown.is_long { " class=\"text\"" } else { "" };
     let is_number = shown
         .text
         .strip_prefix('-')
         .is_some_and(|rest| rest.starts_with(|letter: char| letter.is_ascii_digit()));
     let text = if is_number { signed(&shown.text) } else { shown.text.clone() };
-    format!("<td{class}>{}{below}</td>", escaped(&text))
+    format!("<td{class}>{}{below}</td>", prose(&text))
 }

@@ -35,23 +35,46 @@ pub(crate) fn escaped(text: &str) -> String {
     safe
 }
 
+/// Sentences as markup: what a terminal shows between backticks stands in the letters of code.
+pub(crate) fn prose(text: &str) -> String {
+    let parts: Vec<&str> = text.split('`').collect();
+    if parts.len() % 2 == 0 {
+        return escaped(text);
+    }
+    let part = |(index, part): (usize, &&str)| {
+        if index % 2 == 1 {
+            format!("<code>{}</code>", escaped(part))
+        } else {
+            escaped(part)
+        }
+    };
+    parts.iter().enumerate().map(part).collect()
+}
+
 /// A table of two columns: a name and its value.
 pub(crate) fn facts(facts: &[(String, String)]) -> String {
-    let row = |(what, value): &(String, String)| format!("<tr><td>{}</td><td>{}</td></tr>\n", escaped(what), escaped(value));
+    let row = |(what, value): &(String, String)| format!("<tr><td>{}</td><td>{}</td></tr>\n", prose(what), prose(value));
     let rows: String = facts.iter().map(row).collect();
     format!("<table class=\"facts\">\n<tbody>\n{rows}</tbody>\n</table>\n")
 }
 
 /// A list of sentences.
 pub(crate) fn list(items: &[String]) -> String {
-    let item = |text: &String| format!("<li>{}</li>\n", escaped(text));
+    let item = |text: &String| format!("<li>{}</li>\n", prose(text));
     let items: String = items.iter().map(item).collect();
     format!("<ul>\n{items}</ul>\n")
 }
 
 #[cfg(test)]
 mod tests {
-    use super::escaped;
+    use super::{escaped, prose};
+
+    /// Backticks of the terminal stood in the report of a client.
+    #[test]
+    fn issue_no_backticks_in_a_page() {
+        assert_eq!(prose("`levels = [1]` of <a>"), "<code>levels = [1]</code> of &lt;a&gt;");
+        assert_eq!(prose("a ` alone"), "a ` alone");
+    }
 
     #[test]
     fn reference_markup_becomes_text() {

@@ -1,6 +1,6 @@
 //! The effect of each choice of the paper's program on the totals: with all choices, without each, without any, and exact.
 
-use crate::files::{Files, capital, drawn};
+use crate::files::{Files, drawn};
 use crate::paper::converged::{Exact, Over, Quantities, STUDIES, TOTALS as TOTALS_SHOWN, find, quantities};
 use crate::paper::tables::Value;
 use crate::program::{Choice, Program};
@@ -9,15 +9,15 @@ use pounding_plot::{Axis, Figure, Mark, Panel, Shade};
 use pounding_scene::parallel;
 use pounding_text::Table;
 
-/// Marks of the choices in the figure.
-const MARKS: [Mark; Choice::ALL.len()] = [
-    Mark::Inverted,
-    Mark::Ring,
-    Mark::Square,
-    Mark::HollowSquare,
-    Mark::HollowDiamond,
-    Mark::HollowTriangle,
-    Mark::Diamond,
+/// Marks and names of the choices in the figure, each as the paper describes it.
+const SHOWN_AS: [(Mark, &str); Choice::ALL.len()] = [
+    (Mark::Inverted, "First step as in textbooks"),
+    (Mark::Ring, "Loads not rounded"),
+    (Mark::Square, "Last load used"),
+    (Mark::HollowSquare, "Run ends with the loads"),
+    (Mark::HollowDiamond, "No impacts when parting"),
+    (Mark::HollowTriangle, "Velocities before impacts"),
+    (Mark::Diamond, "Forces of pairs added"),
 ];
 
 /// The paper's totals by its program, by variants of it, and by the exact method.
@@ -122,12 +122,15 @@ impl<'a> Slips<'a> {
         });
         let over = Over::new(table, rows);
         let mut curves = Vec::new();
-        for ((choice, mark), values) in Choice::ALL.into_iter().zip(MARKS).zip(&self.without) {
-            curves.push(over.curve(values, Shade::Blue, mark, &capital(&described(choice))));
+        for ((mark, name), values) in SHOWN_AS.into_iter().zip(&self.without) {
+            let mut curve = over.curve(values, Shade::Blue, mark, name);
+            // What a choice does not move would lie under the mark of the paper's program.
+            curve.points.retain(|(ratio, _)| (ratio - 1.0).abs() > SHOWN);
+            curves.push(curve);
         }
-        curves.push(over.curve(&self.described, Shade::Green, Mark::Disc, "As described"));
+        curves.push(over.curve(&self.described, Shade::Green, Mark::Disc, "All seven changes"));
         curves.push(over.curve(self.exact.running_on, Shade::Ink, Mark::Stroke, "Exact"));
-        curves.push(over.curve(&self.printed, Shade::Vermilion, Mark::Cross, "Paper's program"));
+        curves.push(over.curve(&self.printed, Shade::Vermilion, Mark::Cross, "The paper's program"));
         over.panel(title, curves)
     }
 }

@@ -52,13 +52,13 @@ listed! {
         /// Within 1 %.
         Accurate = look(2, "accurate", "within 1 %", fill(Shade::Blue, 0.3), ""),
         /// Between 1 % and 10 % off, or further off with a warning.
-        Degraded = look(3, "degraded", "degraded", fill(Shade::Amber, 0.6), "d"),
+        Degraded = look(3, "degraded", "1 to 10 %, or warned", fill(Shade::Amber, 0.6), "d"),
         /// The scene is refused before it runs.
         Refused = look(4, "refused", "refused", fill(Shade::Mist, 1.0), "r"),
         /// The run ends with an error, or its verdict is that a law of mechanics is broken.
         Caught = look(5, "diverged_and_caught", "diverged, caught", fill(Shade::Vermilion, 0.7), "c"),
         /// More than 10 % off without a warning.
-        SilentlyWrong = look(8, "silently_wrong", "silently wrong", fill(Shade::Ink, 1.0), ""),
+        SilentlyWrong = look(8, "silently_wrong", "over 10 %, silent", fill(Shade::Ink, 1.0), ""),
         /// There is no exact run for a comparison. The program prints that, if it measures errors.
         NoReference = look(6, "no_reference", "no exact run", fill(Shade::White, 1.0), "–"),
         /// A number of the exact run that the second route cannot confirm.

@@ -151,6 +151,9 @@ const LOOKS: [(Shade, Mark); 5] = [
     (Shade::Grey, Mark::Inverted),
 ];
 
+/// Name of the bounds of all gaps in the legend.
+const BOUNDS: &str = "95 % bounds of the share";
+
 /// Figure with one panel per event: one curve per gap over intensity, with bounds.
 fn figure(settings: &Fragility, counts: &[Count]) -> Figure {
     let n_pga = settings.pga_m_per_s2.len().max(1);
@@ -161,7 +164,7 @@ fn figure(settings: &Fragility, counts: &[Count]) -> Figure {
         };
         let name = format!("gap {} mm", digits(1e3 * counts[0].gap));
         [
-            curve(CurveKind::Thin, |one| one.bounds().0),
+            curve(CurveKind::Thin, |one| one.bounds().0).named(BOUNDS),
             curve(CurveKind::Thin, |one| one.bounds().1),
             curve(CurveKind::Line, Count::share).marked(mark).named(name),
         ]

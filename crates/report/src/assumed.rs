@@ -1,0 +1,133 @@
+//! What a run or an assessment assumes, in a table: a checking engineer asks for it before the numbers.
+
+use pounding_scene::{Contact, Floors, Scene, Structure};
+use pounding_text::{Grid, Shown, Table, digits, short};
+
+use crate::answer::{damping_given, parameters};
+
+/// An assumption.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Assumed {
+    what: String,
+    value: String,
+    /// Where the value comes from.
+    source: &'static str,
+}
+
+/// The scene says it.
+pub(crate) const SCENE: &str = "scene";
+/// Nobody said it.
+pub(crate) const DEFAULT: &str = "default";
+
+/// Impact stiffnesses of the literature, which `init` writes into a scene \[N/m\], \[N/m^1.5\]. They were published for one pair of
+/// buildings.
+const OF_LITERATURE: [f64; 2] = [9.35e7, 2.75e9];
+
+impl Assumed {
+    pub(crate) fn new(what: impl Into<String>, value: impl Into<String>, source: &'static str) -> Self {
+        Self {
+            what: what.into(),
+            value: value.into(),
+            source,
+        }
+    }
+
+    /// A table of assumptions: these, then those of the row.
+    pub(crate) fn table(first: Vec<Self>, scene: &Scene, floors: &Floors) -> Grid {
+        let buildings = scene.structures.iter().flat_map(of_structure);
+        let contacts = scene.contacts.iter().flatten().enumerate();
+        let contacts = contacts.flat_map(|(gap, contact)| of_contact(scene, floors, gap, contact));
+        let ground = Self::new(
+            "Ground",
+            match scene.arrivals_s {
+                Some(_) => "firm under all bases; the motion travels along the row",
+                None => "firm under all bases, which move alike",
+            },
+            if scene.arrivals_s.is_some() { SCENE } else { DEFAULT },
+        );
+        let all = first.into_iter().chain([ground]).chain(buildings).chain(contacts);
+        Table::of(all)
+            .shown("Assumed", |one: &Self| one.what.clone())
+            .shown("Value", |one| Shown::from(one.value.as_str()).long())
+            .shown("Source", |one| Shown::from(one.source).long())
+            .grid()
+    }
+}
+
+/// Damping and columns of a structure; none of a wall.
+fn of_structure(structure: &Structure) -> Vec<Assumed> {
+    let name = structure.name();
+    let Some(damping) = structure.damping_ratio() else {
+        return Vec::new();
+    };
+    let ratio = format!("{} % of critical", short(100.0 * damping));
+    let damping = match damping_given(structure) {
+        Some(given) => format!("{ratio} in the first mode, {given}"),
+        None => ratio,
+    };
+    let (columns, source) = match yields(structure) {
+        [0, _] => ("elastic, whatever the drift", DEFAULT),
+        [some, all] if some < all => ("some yield, the others are elastic; none loses strength", SCENE),
+        _ => ("yield without loss of strength", SCENE),
+    };
+    vec![
+        Assumed::new(format!("Damping of {name}"), damping, SCENE),
+        Assumed::new(format!("Columns of {name}"), columns, source),
+    ]
+}
+
+/// Number of storeys that yield, and of all.
+fn yields(structure: &Structure) -> [usize; 2] {
+    let yields: Vec<bool> = match structure {
+        Structure::Sdof(one) => vec![one.columns().yield_force_n.is_some()],
+        Structure::Building(one) => one.storeys.iter().map(|storey| storey.columns.yield_force_n.is_some()).collect(),
+        Structure::Wall => Vec::new(),
+    };
+    [yields.iter().filter(|one| **one).count(), yields.len()]
+}
+
+/// Law, stiffness and levels of a contact.
+fn of_contact(scene: &Scene, floors: &Floors, gap: usize, contact: &Contact) -> Vec<Assumed> {
+    let [left, right] = [gap, gap + 1].map(|index| scene.structures[index].name());
+    let law = Assumed::new(
+        format!("Contact of {left} and {right}"),
+        format!("{}, {}", contact.law.name().replace('_', " "), parameters(contact)),
+        stiffness_source(contact),
+    );
+    let (level, source) = if contact.levels.is_some() {
+        ("only the levels that the scene names can touch", SCENE)
+    } else if floors.of_structure(gap).len() == 1 && floors.of_structure(gap + 1).len() == 1 {
+        ("one floor each, taken as level", DEFAULT)
+    } else if floors.are_level(gap) {
+        ("level, by the heights of the storeys", SCENE)
+    } else {
+        ("taken as level, by their numbers from the ground", DEFAULT)
+    };
+    vec![law, Assumed::new(format!("Floors of {left} and {right}"), level, source)]
+}
+
+/// Where the stiffness of a contact comes from; of impacts without a stiffness, the scene.
+fn stiffness_source(contact: &Contact) -> &'static str {
+    let law = serde_json::to_value(contact.law).unwrap_or_default();
+    let parameters = law[contact.law.name()].as_object().into_iter().flatten();
+    let mut stiffness = parameters.filter(|(name, _)| name.starts_with("impact_stiffness"));
+    let of_literature = stiffness.any(|(_, value)| {
+        let value = value.as_f64().unwrap_or(0.0);
+        OF_LITERATURE.iter().any(|usual| (value / usual - 1.0).abs() < 1e-6)
+    });
+    if of_literature {
+        "scene: a stiffness of the literature, not of these slabs"
+    } else {
+        SCENE
+    }
+}
+
+/// A duration and what it follows from.
+pub(crate) fn duration(scene: &Scene, duration: f64) -> Assumed {
+    let source = if scene.duration_s.is_some() {
+        SCENE
+    } else {
+        "default: the record and two of the longest periods"
+    };
+    Assumed::new("Duration", format!("{} s", digits(duration)), source)
+}
