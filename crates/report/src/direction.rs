@@ -4,7 +4,7 @@ use std::mem::discriminant;
 
 use pounding_scene::{Error, Excess, ExcessKind, PairOutcome, RecordUse, Review, RunResult, Simulation};
 
-use pounding_text::short;
+use pounding_text::{Unit, short};
 
 use super::Blow;
 use crate::page::sentence;
@@ -154,11 +154,12 @@ pub fn run_sentence(prepared: &Simulation, result: &RunResult) -> String {
         };
     };
     let [left, right] = prepared.floors().names(hardest.pair);
+    let in_kn = |force: f64| Unit::POUNDING_FORCE.text_of(force, 1.0);
     let is_compliant = prepared.pairs()[hardest.pair].law.is_compliant();
     let how = match hardest {
         // Of impulsive contact a force is that of rest.
-        Blow { force: Some(force), .. } if !is_compliant => format!("pressing with up to {} kN", short(1e-3 * force)),
-        Blow { force: Some(force), .. } => format!("with up to {} kN by the contact stiffness of the scene", short(1e-3 * force)),
+        Blow { force: Some(force), .. } if !is_compliant => format!("pressing with up to {} kN", in_kn(force)),
+        Blow { force: Some(force), .. } => format!("with up to {} kN for the assumed contact stiffness", in_kn(force)),
         Blow { speed: Some(speed), .. } => format!("at up to {} m/s", short(speed)),
         Blow { impulse, .. } => format!("with up to {} kN·s", short(1e-3 * impulse)),
     };

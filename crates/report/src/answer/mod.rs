@@ -28,6 +28,7 @@ impl Report<'_> {
             .say(Where::FirstScreen, "Scene", brief::scene(prepared, review))
             .say_as(Where::Page, verdict::manner(&summary), "", verdict::lines(&summary, review))
             .table(Where::FirstScreen, brief::pairs(prepared, &review.outcome))
+            .say_as(Where::Everywhere, Manner::Soft, "Force", brief::forces(prepared, &review.outcome))
             .say(Where::FirstScreen, "Apart", brief::apart(prepared, &review.outcome))
             .table(Where::FirstScreen, brief::buildings(prepared, &words));
         let answer = self
@@ -114,7 +115,7 @@ impl Report<'_> {
         let mut warnings = self.notices();
         let is_error = |one: &Warning| matches!(one, Warning::Error { .. });
         if self.review.warnings.iter().any(is_error) {
-            warnings.push("`pounding advise SCENE --error 3%` finds a method and time step".into());
+            warnings.push("`pounding advise SCENE --accuracy 3%` finds a method and time step".into());
         }
         if warnings.is_empty() {
             let besides = if self.prepared.doubts().is_empty() {
