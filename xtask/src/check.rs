@@ -100,7 +100,7 @@ fn built_once(root: &Path, cargo: &OsStr) -> Result<(), String> {
 
 /// Runs every step and stops at the first that fails.
 pub(crate) fn run(root: &Path) -> Result<(), String> {
-    println!("── rooms: cargo xtask rooms");
+    println!("── crates, their sizes and arrows: cargo xtask rooms");
     crate::rooms::check(root)?;
     let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
     built_once(root, &cargo)?;

@@ -27,7 +27,7 @@
 //! Not in this crate: finding contacts, time stepping and more than two bodies (`pounding-solver`); laws in scene files (`pounding-scene`).
 //!
 //! Where to start: [`ContactLaw`], the law of a pair; [`LawName`], the list with sources and calibrations; [`FreePair`] and [`FreeImpact`],
-//! two bodies that collide freely.
+//! two bodies that collide freely; [`Slab`], the impact stiffness of slabs.
 
 pub mod approach_damper;
 mod contact_law;
@@ -41,6 +41,7 @@ mod number;
 mod oscillator;
 pub mod parameter;
 mod search;
+mod slab;
 mod words;
 
 pub use approach_damper::SLOWEST_APPROACH;
@@ -53,3 +54,4 @@ pub use law_name::{Calibration, CalibrationError};
 pub use laws::*;
 pub use number::Number;
 pub use parameter::{Parameter, ParameterError, Range};
+pub use slab::Slab;

@@ -26,7 +26,7 @@ const BOTH: [bool; 2] = [false, true];
 /// Assesses a row under a folder of records, in both directions, by the exact method. `scale` is `scene`, `none` or a `scale_to` table as
 /// JSON. `target` is the name or the file of a spectrum.
 #[pyfunction]
-#[pyo3(signature = (text, path, folder, scale, target=None, stiffness=[0.1, 10.0], code=None, progress=None))]
+#[pyo3(signature = (text, path, folder, scale, target=None, stiffness=[0.1, 30.0], code=None, progress=None))]
 pub(crate) fn assess(
     py: Python<'_>,
     text: &str,

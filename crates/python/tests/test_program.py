@@ -171,7 +171,7 @@ def test_limit_answers_are_those_of_the_program(program: str) -> None:
         assert list(floors["name"]) == [one["name"] for one in theirs[key]]
         assert list(floors["drift_m"]) == [one["drift_m"]["beside"] for one in theirs[key]]
         assert list(floors["impulse_n_s_high"]) == [one["impulse_n_s"]["high"] for one in theirs[key]]
-    theirs = json.loads(asked(program, "advise", path, "--error", "1%", "--quantity", "momentum", "--json"))
+    theirs = json.loads(asked(program, "advise", path, "--accuracy", "1%", "--quantity", "momentum", "--json"))
     assert scene.advise(0.01, "momentum") == theirs
     certify = ["certify", "hertz_damp", "--restitution", 0.65, "--masses", 75e3, 3e6, "--speed", 0.3, "--json"]
     theirs = json.loads(asked(program, *certify))

@@ -4,7 +4,7 @@ use std::mem::discriminant;
 
 use pounding_scene::{Error, Excess, ExcessKind, Extras, PairOutcome, RecordUse, Review, RunResult, Simulation};
 
-use pounding_text::{short, two_digits};
+use pounding_text::{Unit, short};
 
 use super::Blow;
 use crate::page::sentence;
@@ -182,13 +182,14 @@ fn how_hard(prepared: &Simulation, result: &RunResult, hardest: &Blow) -> String
     } else {
         String::new()
     };
+    let in_kn = |force: f64| Unit::POUNDING_FORCE.text_of(force, 1.0);
     let is_compliant = prepared.pairs()[hardest.pair].law.is_compliant();
     let how = match *hardest {
         // Of impulsive contact a force is that of rest.
-        Blow { force: Some(force), .. } if !is_compliant => format!("pressing with up to {} kN{place}", short(1e-3 * force)),
+        Blow { force: Some(force), .. } if !is_compliant => format!("pressing with up to {} kN{place}", in_kn(force)),
         Blow { force: Some(force), .. } => format!(
-            "with up to {} kN{place}, several times more or less with another contact stiffness",
-            two_digits(1e-3 * force)
+            "with up to {} kN{place} for the assumed contact stiffness, several times more or less with another",
+            in_kn(force)
         ),
         Blow { speed: Some(speed), .. } => format!("at up to {} m/s{place}", short(speed)),
         Blow { impulse, .. } => format!("with up to {} kN·s{place}", short(1e-3 * impulse)),

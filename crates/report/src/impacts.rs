@@ -2,7 +2,7 @@
 
 use pounding_scene::Floors;
 use pounding_solver::Collision;
-use pounding_text::{Cell, Table, digits, instant, short};
+use pounding_text::{Cell, Table, Unit, digits, instant, short};
 
 /// A table of collisions; `heading` stands above the names of the floors.
 pub fn collision_table<'a>(
@@ -40,7 +40,7 @@ pub fn collision_table<'a>(
             "peak_force_n",
             ("Peak force", "kN"),
             |one| exact(one.peak_force),
-            move |one| one.peak_force.map(thousandths),
+            |one| one.peak_force.map(|force| Unit::POUNDING_FORCE.text_of(force, 1.0)),
         )
         .both(
             "peak_force_time_s",

@@ -49,6 +49,8 @@ impl Unit {
     pub const RESIDUAL: Self = Self::METRE.read(|millimetres| if millimetres.abs() < 0.1 { "0".into() } else { short(millimetres) });
     /// A force, in kilonewtons.
     pub const NEWTON: Self = Self::new("_n", "N", "kN", |_| 1e-3, short);
+    /// A pounding force: it depends on an impact stiffness that is not known, so two digits.
+    pub const POUNDING_FORCE: Self = Self::NEWTON.read(two_digits);
     /// An impulse.
     pub const NEWTON_SECOND: Self = Self::new("_n_s", "N·s", "kN·s", |_| 1e-3, short);
     /// A speed.

@@ -7,7 +7,7 @@ use crate::{Parameter, approach_damper};
 /// speed.
 ///
 /// In a free impact the factor stays above 0. The clamp acts only if other forces drive the pair apart faster than v₀/a. Slower touches
-/// than 1 mm/s count as touches at 1 mm/s. Source: K. Ye, L. Li and H. Zhu, *Earthquake Engng Struct. Dyn.* 38 (2009) 1135.
+/// than 1 mm/s count as touches at 1 mm/s. Source: K. Ye, L. Li and H. Zhu, *Earthq. Eng. Eng. Vib.* 8 (2009) 433.
 #[derive(Debug, Default, Clone, Copy, PartialEq)]
 pub struct ModifiedKelvin {
     /// Impact stiffness k \[N/m\], > 0.
@@ -22,7 +22,7 @@ impl Law for ModifiedKelvin {
             name: "modified_kelvin",
             label: "Modified Kelvin",
             formula: Some(("a = 3(1−e)/(2e)", |e| 1.5 * (1.0 - e) / e)),
-            citation: "Ye, Li & Zhu, EESD 38 (2009) 1135",
+            citation: "Ye, Li & Zhu, Earthq. Eng. Eng. Vib. 8 (2009) 433",
         }],
         force: "max(0, kδ(1 + aδ̇/v₀))",
         relation: Some("a(1+e) = ln[(1+a)/(1−ea)]"),

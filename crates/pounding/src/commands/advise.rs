@@ -14,8 +14,8 @@ use crate::progress::Progress;
 
 const EXAMPLES: &str = "\
 Examples:
-  pounding advise studies/examples/two-structures.json --error 1%
-  pounding advise studies/examples/two-structures.json --error 0.1% \\
+  pounding advise studies/examples/two-structures.json --accuracy 1%
+  pounding advise studies/examples/two-structures.json --accuracy 0.1% \\
     --quantity momentum
 
 A scene with \"method\": {\"accuracy\": 0.01} asks for the same when it is run.";
@@ -29,8 +29,8 @@ pub(crate) struct Arguments {
     scene: PathBuf,
     /// Largest error, as 1% or 0.01: of each number relative to its own size; the notes of the answer say how small ones are
     /// measured, and what is left out.
-    #[arg(long, allow_negative_numbers = true, value_parser = error)]
-    error: f64,
+    #[arg(long, alias = "error", allow_negative_numbers = true, value_parser = accuracy)]
+    accuracy: f64,
     /// The quantity whose error counts.
     #[arg(long, default_value = "all", value_parser = quantity())]
     quantity: QuantityGroup,
@@ -48,8 +48,8 @@ fn quantity() -> impl TypedValueParser<Value = QuantityGroup> {
     })
 }
 
-/// An error as a part of 1 or in per cent.
-fn error(text: &str) -> Result<f64, String> {
+/// An accuracy as a part of 1 or in per cent.
+fn accuracy(text: &str) -> Result<f64, String> {
     let allowed = "allowed is more than 0 and less than 1, such as 0.01 or 1%";
     let value = part_of_one(text).ok();
     let value = value.filter(|value| *value > 0.0 && *value < 1.0);
@@ -66,7 +66,7 @@ pub(crate) fn run(args: &Arguments) -> Result<String, Refused> {
     let prepared = Simulation::new(&scene, super::folder(path)).map_err(message)?;
     let progress = Progress::new();
     let goal = Goal {
-        error: args.error,
+        error: args.accuracy,
         quantity: args.quantity,
     };
     let advice = Advice::of(&prepared, goal, &|of| progress.step(of)).map_err(message)?;

@@ -64,7 +64,7 @@ pub(crate) struct Arguments {
     #[arg(long, value_name = "FACTOR", value_parser = super::positive)]
     max_scale: Option<f64>,
     /// Range of the stiffness of impacts, as factors on that of the scene.
-    #[arg(long, value_name = "FROM..TO", default_value = "0.1..10", value_parser = factors)]
+    #[arg(long, value_name = "FROM..TO", default_value = "0.1..30", value_parser = factors)]
     stiffness: [f64; 2],
     /// What a bumper in every gap that closes changes, half as thick as the gap:
     /// k=80MN/m at each floor, or proposed, the softest that the gap has room for

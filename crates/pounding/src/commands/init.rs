@@ -5,9 +5,11 @@ mod record;
 
 use std::path::PathBuf;
 
+use pounding::contact::Slab;
 use pounding::text::{Answer, Form, Part, Refused, Where, json_text};
 use serde_json::Value;
 
+use super::{laws, slabs};
 use crate::new_file;
 use crate::progress::Waiting;
 use record::Named;
@@ -17,6 +19,7 @@ Examples:
   pounding init                                   # writes scene.toml
   pounding init towers.toml --record quake.AT2    # shaken by a record of yours
   pounding init towers.toml --storeys 8,5 --gap 0.04
+  pounding init towers.toml --storeys 8,5 --slab-area 3 --slab-length 20
   pounding init towers.json                       # JSON, which has no comments
   pounding run towers.toml
 
@@ -53,6 +56,8 @@ pub(crate) struct Arguments {
     /// The gap between neighbours in metres.
     #[arg(long, value_name = "M", default_value_t = 0.02, value_parser = buildings::gap)]
     gap: f64,
+    #[command(flatten)]
+    slabs: slabs::Arguments,
     /// Replace a file that exists.
     #[arg(long)]
     overwrite: bool,
@@ -70,11 +75,12 @@ pub(crate) fn run(args: &Arguments) -> Result<String, Refused> {
     } else {
         buildings::structures(&args.storeys)
     };
+    let law = args.slabs.slabs()?.map_or_else(|| PAPER.into(), |slabs| of_slabs(&slabs));
     let n_gaps = args.storeys.len().max(2) - 1;
     let text = TEMPLATE
         .replace("RECORD", &motion)
         .replace("STRUCTURES\n", &structures)
-        .replace("CONTACTS\n", &buildings::contacts(n_gaps, args.gap));
+        .replace("CONTACTS\n", &buildings::contacts(n_gaps, args.gap, &law));
     let is_json = args.scene.extension().is_some_and(|end| end == "json");
     let text = if is_json { json_of(&text)? } else { text };
     let path = args.scene.display().to_string();
@@ -88,6 +94,14 @@ pub(crate) fn run(args: &Arguments) -> Result<String, Refused> {
         .say(Where::Terminal, "Record", said)
         .part(Where::Terminal, Part::Markup(next));
     Ok(answer.text(Form::Brief))
+}
+
+/// The law of the paper, with its impact stiffness.
+const PAPER: &str = "law.nonlinear_viscoelastic = { impact_stiffness_n_per_m1_5 = 2.75e9, restitution = 0.65 }";
+
+/// A linear law with the impact stiffness of the slabs that meet.
+fn of_slabs(slabs: &[Slab; 2]) -> String {
+    format!("law.kelvin_voigt = {}", laws::linear(Slab::impact_stiffness(slabs)))
 }
 
 /// A scene in TOML as JSON, without the comments.

@@ -17,6 +17,7 @@ mod merge;
 mod motion;
 mod run;
 mod schema;
+mod slabs;
 mod suite;
 mod sweep;
 
@@ -124,7 +125,7 @@ impl Program {
             Command::Gap(args) => gap::run(args),
             Command::Export(args) => export::run(args),
             Command::Advise(args) => advise::run(args),
-            Command::Laws(args) => Ok(laws::run(args)),
+            Command::Laws(args) => laws::run(args),
             Command::Certify(args) => certify::run(args),
             Command::Explain(args) => explain::run(args),
             Command::Schema(args) => Ok(schema::run(args)),

@@ -18,6 +18,21 @@ fn reference_laws() {
     assert_snapshot!(output.stdout);
 }
 
+/// The only value on offer was the paper's, an order of magnitude below that of two slabs that meet.
+#[test]
+fn issue_slabs_tell_the_impact_stiffness() {
+    let laws = |arguments: &str| {
+        let arguments: Vec<_> = arguments.split_whitespace().collect();
+        pounding(Path::new("."), &[&["laws"], &arguments[..]].concat())
+    };
+    assert_snapshot!(laws("--slab-area 3 --slab-length 20 --modulus 30e9").stdout, @"");
+    let json = laws("--slab-area 3 6 --slab-length 20 --json").stdout;
+    let json: serde_json::Value = serde_json::from_str(&json).unwrap();
+    assert_eq!(json["impact_stiffness_n_per_m"], 3e9);
+    assert_eq!(json["slab_stiffness_n_per_m"], serde_json::json!([4.5e9, 9e9]));
+    assert_snapshot!(laws("--slab-area 3").stderr, @"");
+}
+
 #[test]
 fn reference_a_certificate_with_every_method() {
     let asked = "hertz_damp --restitution 0.65 --masses 75e3 3e6 --speed 0.3 --time-step 0.005";

@@ -77,9 +77,9 @@ fn order_errors_fall_with_the_time_step() {
 
 #[test]
 fn reference_advice_on_the_example() {
-    let advice = pounding(Path::new(HERE), &["advise", EXAMPLE, "--error", "1%"]);
+    let advice = pounding(Path::new(HERE), &["advise", EXAMPLE, "--accuracy", "1%"]);
     assert_snapshot!(printed(&advice));
-    let same = pounding(Path::new(HERE), &["advise", EXAMPLE, "--error", "0.01"]);
+    let same = pounding(Path::new(HERE), &["advise", EXAMPLE, "--accuracy", "0.01"]);
     assert_eq!(advice.stdout, same.stdout, "1% is 0.01");
 }
 
@@ -90,7 +90,7 @@ fn limit_an_accuracy_chooses_what_is_advised() {
     let scene = small_scene(&json!({"accuracy": 0.3}));
     fs::write(folder.join("scene.json"), scene.to_string()).expect("the scene can be written");
     fs::write(folder.join("record.csv"), quiet(10)).expect("the record can be written");
-    let advice = pounding(&folder, &["advise", "scene.json", "--error", "30%"]);
+    let advice = pounding(&folder, &["advise", "scene.json", "--accuracy", "30%"]);
     let snippet = paragraph(printed(&advice), "  \"method\"").join("");
     let pasted: Value = serde_json::from_str(&format!("{{{snippet}}}")).expect("JSON");
     let chosen = pounding(&folder, &["run", "scene.json", "--details"]);
@@ -131,7 +131,7 @@ fn run_example(test: &str, method: &Value) -> Ended {
 /// A stepping method wins at a low accuracy. A run with it measures the advised error.
 #[test]
 fn reference_a_stepping_method_wins() {
-    let arguments = ["advise", EXAMPLE, "--error", "10%", "--quantity", "momentum"];
+    let arguments = ["advise", EXAMPLE, "--accuracy", "10%", "--quantity", "momentum"];
     let advice = pounding(Path::new(HERE), &arguments);
     let advice = printed(&advice);
     assert_snapshot!(advice);
@@ -152,7 +152,7 @@ fn reference_a_stepping_method_wins() {
 fn reference_advice_on_each_quantity() {
     let mut uses = String::new();
     for quantity in ["momentum", "displacement", "force", "impulse", "time", "all"] {
-        let arguments = ["advise", EXAMPLE, "--error", "10%", "--quantity", quantity];
+        let arguments = ["advise", EXAMPLE, "--accuracy", "10%", "--quantity", quantity];
         let advice = pounding(Path::new(HERE), &arguments);
         let lines = paragraph(printed(&advice), "Use").join("\n");
         writeln!(uses, "{quantity}\n{lines}").expect("a string takes all");
@@ -164,7 +164,7 @@ fn reference_advice_on_each_quantity() {
 #[test]
 fn limit_all_quantities_cost_no_less_than_one() {
     let cost = |quantity: &str| -> u64 {
-        let arguments = ["advise", EXAMPLE, "--error", "5%", "--quantity", quantity];
+        let arguments = ["advise", EXAMPLE, "--accuracy", "5%", "--quantity", quantity];
         let advice = pounding(Path::new(HERE), &arguments);
         let text = paragraph(printed(&advice), "Use").join(" ");
         let number = text.split("cost ").nth(1).expect("the cost");
@@ -186,7 +186,7 @@ fn extreme_advice_without_an_exact_run() {
     let folder = folder_of("no_exact", scene);
     let ended = pounding(&folder, &["run", "scene.json", "--details"]);
     assert_snapshot!(refusal(&ended));
-    let advice = pounding(&folder, &["advise", "scene.json", "--error", "1%"]);
+    let advice = pounding(&folder, &["advise", "scene.json", "--accuracy", "1%"]);
     assert_eq!(refusal(&advice), refusal(&ended));
 }
 
@@ -203,7 +203,7 @@ fn extreme_accuracy_out_of_range() {
     let ended = run("accuracy", &scene.to_string(), Some(&quiet(10)));
     assert_snapshot!(refusal(&ended));
     for error in ["0", "1", "100%", "-1%", "inf", "NaN", "much"] {
-        let error = format!("--error={error}");
+        let error = format!("--accuracy={error}");
         let ended = pounding(Path::new(HERE), &["advise", EXAMPLE, &error]);
         assert_eq!((ended.code, ended.stdout.as_str()), (2, ""), "{error}");
         assert!(ended.stderr.contains("such as 0.01 or 1%"), "{error}");

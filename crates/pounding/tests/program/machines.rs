@@ -118,8 +118,8 @@ fn reference_advice_as_json() {
         "file = \"record.csv\"",
     );
     fs::write(folder.join("towers.toml"), scene).expect("a file");
-    let advice = json(&folder, &["advise", "towers.toml", "--error", "1%", "--json"]);
-    let text = pounding(&folder, &["advise", "towers.toml", "--error", "1%"]).stdout;
+    let advice = json(&folder, &["advise", "towers.toml", "--accuracy", "1%", "--json"]);
+    let text = pounding(&folder, &["advise", "towers.toml", "--accuracy", "1%"]).stdout;
     let name = advice["use"]["name"].as_str().expect("a name");
     assert!(text.starts_with(&format!("Use       {name}")), "{text}");
     let error = advice["use"]["error"].as_f64().expect("a number");

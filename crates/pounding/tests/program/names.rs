@@ -80,7 +80,7 @@ fn issue_a_duration_too_long_is_named() {
 #[test]
 fn issue_advice_is_in_the_words_of_the_file() {
     let folder = suite("names_advice");
-    let advice = pounding(&folder, &["advise", "towers.toml", "--error", "5%"]);
+    let advice = pounding(&folder, &["advise", "towers.toml", "--accuracy", "5%"]);
     let lines = printed(&advice).lines().skip_while(|line| !line.starts_with("  [method"));
     let snippet: Vec<&str> = lines.take_while(|line| !line.is_empty()).collect();
     let pasted = format!("{TOWERS}\n{}\n", snippet.join("\n"));

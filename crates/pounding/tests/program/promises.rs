@@ -260,7 +260,7 @@ fn issue_what_is_no_regular_file_is_not_read() {
         "motion spectrum /dev/zero",
         "init new.toml --record /dev/zero",
         "assess towers.toml --records records --target pipe",
-        "advise pipe --error 1%",
+        "advise pipe --accuracy 1%",
     ] {
         let ended = pounding(&folder, &command.split(' ').collect::<Vec<_>>());
         assert_eq!(ended.code, 1, "{command}: {}", ended.stdout);

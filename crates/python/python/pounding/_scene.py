@@ -60,10 +60,11 @@ def row(
         Width of the gap at rest [m], ≥ 0: one for all, or one between each structure and its right neighbour. By default the
         structures never touch.
     restitution
-        Coefficient of restitution [–], 0 to 1. The default is 0.65 if no law is given either.
+        Coefficient of restitution [–], 0 to 1. Without a law it makes touches impulses.
     law
-        Contact law: a name, ``{"nonlinear_viscoelastic": {"impact_stiffness_n_per_m1_5": 2.75e9}}``, or one for each gap. The default is
-        ``stereomechanical``: impulses that need only a restitution. :func:`laws` lists all.
+        Contact law, or one for each gap: a table such as ``{"kelvin_voigt": {"impact_stiffness_n_per_m": 2.25e9}}``, or a name such as
+        ``"stereomechanical"``, whose impulses need only a restitution. Without law and restitution, contact is that of ``pounding init``:
+        ``nonlinear_viscoelastic`` with 2.75e9 N/m^1.5 and 0.65. :func:`laws` lists all.
     levels
         Levels at which floors can touch, from 1; by default all floors that face each other.
     floors
@@ -277,7 +278,7 @@ class Scene:
 
     def advise(
         self,
-        error: float = 0.01,
+        accuracy: float = 0.01,
         quantity: str = "all",
         *,
         record: Shaking | None = None,
@@ -287,7 +288,7 @@ class Scene:
 
         Parameters
         ----------
-        error
+        accuracy
             Largest relative error [–], more than 0 and less than 1.
         quantity
             Quantities whose error counts: ``momentum``, ``displacement``, ``acceleration``, ``force``, ``impulse``, ``time`` or ``all``.
@@ -303,7 +304,7 @@ class Scene:
         """
         text, path, native = self._given(record)
         found: dict[str, Any] = json.loads(
-            _pounding.advise(text, path, error, quantity, native, shown(progress))
+            _pounding.advise(text, path, accuracy, quantity, native, shown(progress))
         )
         return found
 
@@ -313,7 +314,7 @@ class Scene:
         *,
         scale: str | Mapping[str, Any] = "scene",
         target: str | os.PathLike[str] | None = None,
-        stiffness: tuple[float, float] = (0.1, 10.0),
+        stiffness: tuple[float, float] = (0.1, 30.0),
         code: str | None = None,
         progress: Progress | bool = False,
     ) -> Assessment:

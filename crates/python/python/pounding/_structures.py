@@ -140,8 +140,11 @@ def wall() -> Structure:
 
 
 def law_of(law: Law | None, restitution: float | None) -> Any:
+    if law is None and restitution is None:
+        # The contact that ``pounding init`` writes.
+        return {"nonlinear_viscoelastic": {"impact_stiffness_n_per_m1_5": 2.75e9, "restitution": 0.65}}
     if law is None:
-        return {"stereomechanical": {"restitution": 0.65 if restitution is None else restitution}}
+        return {"stereomechanical": {"restitution": restitution}}
     if isinstance(law, str) and restitution is not None:
         law = {law: {}}
     if isinstance(law, str):

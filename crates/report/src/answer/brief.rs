@@ -1,5 +1,8 @@
 //! The first screen of a run: the hardest touches, and the worst numbers of every building.
 
+use std::collections::BTreeSet;
+
+use pounding_contact::LawName;
 use pounding_scene::{Errors, FloorQuantity, QuantityGroup, Review, RunResult, Simulation};
 use pounding_text::{Grid, Shown, Table, Unit, digits, percent, short};
 
@@ -60,10 +63,36 @@ pub(super) fn pairs(prepared: &Simulation, outcome: &RunResult) -> Grid {
         .shown_number("Approach", &Unit::SPEED, |blow| blow.speed)
         .shown_number("Impulse", &Unit::NEWTON_SECOND, |blow| blow.impulse)
         .shown_in("kN", "Force", |blow| {
-            blow.force.map_or("impulsive".into(), |force| short(1e-3 * force))
+            let force = blow.force.map(|force| Unit::POUNDING_FORCE.text_of(force, 1.0));
+            force.unwrap_or_else(|| "impulsive".into())
         })
         .grid()
         .most(MOST)
+}
+
+/// What forces of compliant contact depend on, if any pair touches with one: a spring that stores a given energy at K δ^n has the force of
+/// K^(1/(n+1)).
+pub(super) fn forces(prepared: &Simulation, outcome: &RunResult) -> Vec<String> {
+    let touching = Blow::all(outcome).into_iter().map(|blow| &prepared.pairs()[blow.pair].law);
+    let laws = touching.filter_map(|law| LawName::from_name(law.name())?.stiffness_unit());
+    let is_linear: BTreeSet<bool> = laws.map(|unit| unit == "N/m").collect();
+    let powers: Vec<&str> = is_linear
+        .into_iter()
+        .map(|linear| {
+            if linear {
+                "k^0.5 (linear spring; ten times the stiffness, 3.2 times the force)"
+            } else {
+                "k^0.4 (Hertz spring; ten times the stiffness, 2.5 times the force)"
+            }
+        })
+        .collect();
+    if powers.is_empty() {
+        return Vec::new();
+    }
+    vec![format!(
+        "for the assumed contact stiffness, which nobody knows; grows as {}. Not a design force: `pounding assess` gives a range",
+        powers.join(" and ")
+    )]
 }
 
 /// How many pairs never touch, if others do.

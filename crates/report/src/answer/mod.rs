@@ -41,6 +41,7 @@ impl Report<'_> {
             .say_as(Where::Page, manner, "", verdict::lines(&summary, review))
             .say_as(Where::Page, Manner::Box(not_modelled::TITLE), "", self.not_modelled())
             .table(Where::FirstScreen, brief::pairs(prepared, &review.outcome))
+            .say_as(Where::Everywhere, Manner::Soft, "Force", brief::forces(prepared, &review.outcome))
             .say(Where::FirstScreen, "Apart", brief::apart(prepared, &review.outcome))
             .table(Where::FirstScreen, brief::buildings(prepared, &words));
         let answer = self
@@ -134,7 +135,7 @@ impl Report<'_> {
         let mut warnings = self.notices();
         let is_error = |one: &Warning| matches!(one, Warning::Error { .. });
         if self.review.warnings.iter().any(is_error) {
-            warnings.push("`pounding advise SCENE --error 3%` finds a method and time step".into());
+            warnings.push("`pounding advise SCENE --accuracy 3%` finds a method and time step".into());
         }
         let others = self.directions.iter().filter_map(|both| both.other.as_ref());
         let runs: Vec<&RunResult> = std::iter::once(&self.review.outcome).chain(others).collect();

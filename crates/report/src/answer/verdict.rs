@@ -1,7 +1,7 @@
 //! The answer in a few sentences: whether floors touch, how often, how hard, and how accurate these results are.
 
 use pounding_scene::{Errors, PairQuantity, QuantityGroup, Review};
-use pounding_text::{Manner, NONE, percent, short};
+use pounding_text::{Manner, NONE, Unit, percent, short};
 
 use crate::summary::{CollisionSummary, PairSummary, Summary};
 
@@ -139,7 +139,7 @@ fn collisions(pair: &PairSummary, largest: &CollisionSummary) -> String {
         errors.and_then(|errors| errors.errors.get(PairQuantity::LargestImpulseNS)),
     );
     let force = pair.number(PairQuantity::PeakForceN).map_or_else(String::new, |force| {
-        let force = format!("{} kN", short(force / 1e3));
+        let force = format!("{} kN", Unit::POUNDING_FORCE.text_of(force, 1.0));
         let error = errors.and_then(|errors| errors.errors.get(PairQuantity::PeakForceN));
         let at = pair.number(PairQuantity::PeakForceTimeS);
         let at = at.map_or_else(String::new, |time| format!(" at {} s", short(time)));

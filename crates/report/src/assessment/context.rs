@@ -1,5 +1,6 @@
 //! What surrounds the answer of an assessment on its page: rules in their own form, who hits whom, assumptions, limits of the model.
 
+use pounding_assess::AssessedRun;
 use pounding_text::{Grid, Shown, Table, Unit, short, two_digits};
 
 use super::AssessmentReport;
@@ -63,7 +64,8 @@ impl AssessmentReport {
                 if self.scaling.words.is_some() { "option" } else { SCENE },
             ),
             Assumed::new("Range of the contact stiffness", format!("{from} to {to} times that below"), {
-                if self.stiffness == [0.1, 10.0] { DEFAULT } else { "option" }
+                let [from, _, to] = AssessedRun::STIFFNESS_FACTORS;
+                if self.stiffness == [from, to] { DEFAULT } else { "option" }
             }),
         ];
         Assumed::table(first, &self.scene, &self.floors)

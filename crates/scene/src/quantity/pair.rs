@@ -44,7 +44,7 @@ quantities! {
             .measured(QuantityGroup::Impulse, "largest impulse")
     };
     PeakForceN("peak_force_n", "Largest pounding force; none if one of the collisions is an impact.") =
-        QuantityEntry::new(&Unit::NEWTON, "Peak force", |run, pair| Some(run.pair(pair).peak_force?.value))
+        QuantityEntry::new(&Unit::POUNDING_FORCE, "Peak force", |run, pair| Some(run.pair(pair).peak_force?.value))
             .measured(QuantityGroup::Force, "pounding force");
     #[serde(skip_deserializing)]
     PeakForceTimeS("peak_force_time_s", "First instant of the peak force.") =

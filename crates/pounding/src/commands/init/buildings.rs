@@ -58,8 +58,8 @@ pub(super) fn structures(storeys: &[usize]) -> String {
     text
 }
 
-/// A contact between every two neighbours.
-pub(super) fn contacts(n_gaps: usize, gap: f64) -> String {
+/// A contact between every two neighbours, with a law.
+pub(super) fn contacts(n_gaps: usize, gap: f64, law: &str) -> String {
     let contact = |index: usize| {
         let other = if index == 0 {
             "# law.stereomechanical = { restitution = 0.65 }      # an impulse; `pounding laws` lists all laws\n"
@@ -69,7 +69,7 @@ pub(super) fn contacts(n_gaps: usize, gap: f64) -> String {
         format!(
             "[[contacts]]\n\
              gap_m = {}\n\
-             law.nonlinear_viscoelastic = {{ impact_stiffness_n_per_m1_5 = 2.75e9, restitution = 0.65 }}\n\
+             {law}\n\
              {other}\n",
             digits(gap)
         )
