@@ -7,8 +7,8 @@ use pounding_contact::{ContactLaw, NonlinearViscoelastic};
 use pounding_plot::{Axis, Curve, CurveKind, Figure, Mark, Panel, PlotError, Shade, render_png};
 use pounding_scene::file::RunBudget;
 use pounding_scene::{
-    Building, Columns, ComparedMethod, Contact, Damping, Error, FileUse, FloorHeights, Method, Property, RecordUse, STANDARD_GRAVITY, Scene,
-    Simulation, Source, Storey, Structure,
+    Building, Columns, ComparedMethod, Contact, Damping, Error, FileUse, FloorHeights, Method, Property, RecordUse, STANDARD_GRAVITY,
+    Scene, Simulation, Source, Storey, Structure,
 };
 use std::f64::consts::PI;
 use std::path::Path;

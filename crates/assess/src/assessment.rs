@@ -6,8 +6,8 @@ use pounding_scene::{Error, Floors, Scene};
 
 use crate::distribution::Distribution;
 use crate::peaks::FloorPeaks;
-use crate::run::{AssessedFloor, AssessedPair, AssessedRun};
 use crate::rule::Rule;
+use crate::run::{AssessedFloor, AssessedPair, AssessedRun};
 use crate::separation::Separation;
 
 /// Rounding error of a sum of displacements \[m\]. It must not make a proposed gap one step wider.

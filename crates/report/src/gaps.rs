@@ -6,7 +6,7 @@ use pounding_text::{Answer, Cell, Table, Where, digits, rounded_up, short};
 use serde_json::{Value, json};
 
 use crate::folder::{MotionRow, OfFolder, UnderMotion};
-use crate::rules::{RuledGap, notes};
+use crate::rules::{RuledGap, notes, sources};
 
 /// The widths that the gaps of a row need under one motion in one direction.
 #[derive(Debug)]
@@ -67,7 +67,11 @@ pub fn gaps_answer<'a>(folder: &'a OfFolder<'_, GapsUnderMotion>, code: Option<R
     answer
         .say(Where::FirstScreen, "Records", folder.records(false))
         .say(Where::Details, "Records", folder.records(true))
-        .say(Where::Terminal, "Notes", said.chain(notes(scene, &ruled, &shown)).collect())
+        .say(
+            Where::Terminal,
+            "Notes",
+            said.chain([sources(&shown)]).chain(notes(scene, &ruled, &shown)).collect(),
+        )
         .with_csv(|| gaps_table(folder).csv())
 }
 
@@ -82,7 +86,9 @@ struct RequiredAt {
 
 impl RequiredAt {
     fn of(folder: &OfFolder<'_, GapsUnderMotion>, index: usize) -> Option<Self> {
-        let found = folder.found().filter_map(|(line, found)| Some(([line.event, 0], found.separations.get(index)?)));
+        let found = folder
+            .found()
+            .filter_map(|(line, found)| Some(([line.event, 0], found.separations.get(index)?)));
         let found: Vec<_> = found.collect();
         let left = found.first()?.1.left;
         let contacts = folder.scene.contacts.as_ref();
@@ -167,15 +173,23 @@ fn numbers<'a, Of: 'a>(scene: &'a Scene, shown: &[Rule], table: Table<'a, Of>, o
 /// Adds the table of one gap and its result.
 fn of_gap<'a>(folder: &OfFolder<'a, GapsUnderMotion>, answer: Answer<'a>, gap: &RequiredAt, shown: &[Rule]) -> Answer<'a> {
     let scene = folder.scene;
-    let found = folder.found().filter_map(|(line, found)| Some((line, found.separations.get(gap.index)?)));
+    let found = folder
+        .found()
+        .filter_map(|(line, found)| Some((line, found.separations.get(gap.index)?)));
     let found: Vec<_> = found.collect();
     let [one, other] = [gap.left, gap.left + 1].map(|index| scene.structures[index].name());
-    let in_scene = gap.own.map_or_else(String::new, |own| format!(", {} mm in the scene", digits(own * 1e3)));
+    let in_scene = gap
+        .own
+        .map_or_else(String::new, |own| format!(", {} mm in the scene", digits(own * 1e3)));
     let table = Table::of(found).shown("Record", |(line, _)| line.name());
     answer
         .say(Where::Terminal, "Gap", vec![format!("{one} – {other}{in_scene}")])
         .table(Where::Terminal, numbers(scene, shown, table, |(_, one)| Some(*one)).grid())
-        .say(Where::Terminal, "Result", result(&gap.all, gap.own, says_columns(scene, gap.left), shown))
+        .say(
+            Where::Terminal,
+            "Result",
+            result(&gap.all, gap.own, says_columns(scene, gap.left), shown),
+        )
 }
 
 /// The floors of a gap that face columns, in a sentence.
@@ -225,7 +239,11 @@ fn result(all: &RequiredGap, own: Option<f64>, columns: Option<String>, shown: &
         enough(widths.p84())
     )];
     let width = all.beside_columns.map(enough);
-    lines.extend(columns.zip(width).map(|(columns, width)| format!("{columns} {width} mm keep floors from columns")));
+    lines.extend(
+        columns
+            .zip(width)
+            .map(|(columns, width)| format!("{columns} {width} mm keep floors from columns")),
+    );
     lines.extend(own.map(|own| {
         format!(
             "with the {} mm of the scene the structures touch under {} of them",

@@ -8,7 +8,7 @@ use super::AssessmentReport;
 use super::tables::{first, statistics};
 use crate::SCHEMA_VERSION;
 use crate::page::{BEFORE, UNUSUAL, sentence};
-use crate::rules::notes;
+use crate::rules::{notes, sources};
 
 impl AssessmentReport {
     /// The answer: the gaps, the effects of touching, and how sure these are. Its CSV has a line for each number \[SI\]: record, reversed, building,
@@ -88,7 +88,13 @@ impl AssessmentReport {
             .heading("Rules of codes")
             .say(Where::Page, "", vec![RULES.into()])
             .table(Where::Everywhere, first(&self.rules()))
-            .say_as(Where::Everywhere, Manner::Soft, "Rules", notes(&self.scene, &self.ruled_gaps(), &Rule::ALL))
+            .say_as(
+                Where::Everywhere,
+                Manner::Soft,
+                "Rules",
+                notes(&self.scene, &self.ruled_gaps(), &Rule::ALL),
+            )
+            .say_as(Where::Details, Manner::Soft, "Codes", vec![sources(&Rule::ALL)])
             .heading("Motions")
             .table(Where::Details, self.runs().grid())
             .say_as(Where::Everywhere, Manner::List, "Records", self.remarks().to_vec())

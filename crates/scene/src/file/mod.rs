@@ -162,10 +162,7 @@ impl Scene {
     /// unless `levels` chooses others there.
     #[must_use]
     pub fn seeking_gaps(self) -> Self {
-        Self {
-            seeks_gaps: true,
-            ..self
-        }
+        Self { seeks_gaps: true, ..self }
     }
 
     /// Returns the row with wide gaps and the exact method, to find the gaps that it needs. Fields that do not matter then are neither

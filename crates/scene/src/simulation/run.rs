@@ -3,8 +3,8 @@
 use std::ops::Range;
 
 use pounding_solver::{
-    BesideColumn, Clock, Closings, Collisions, Excitation, FloorAccelerations, Histories, Integrator, LastStates, Ledger, LedgerError, OnRow, Opening,
-    Pair, Peak, Peaks, Recorders, RunError, Terms, TransferredMomentum, Travel, Work,
+    BesideColumn, Clock, Closings, Collisions, Excitation, FloorAccelerations, Histories, Integrator, LastStates, Ledger, LedgerError,
+    OnRow, Opening, Pair, Peak, Peaks, Recorders, RunError, Terms, TransferredMomentum, Travel, Work,
 };
 
 use super::Simulation;

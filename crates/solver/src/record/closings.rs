@@ -40,7 +40,7 @@ impl BesideColumn {
         [side, -side * self.along, -side * (1.0 - self.along)]
     }
 
-    /// The gap between the floor and the column; the ground has no motion of its own.
+    /// The gap between the floor and the column. Ground that does not travel has no motion.
     fn gap(&self) -> Gap {
         let weights = self.weights();
         let parts = if self.below.is_some() { 3 } else { 2 };
@@ -153,7 +153,11 @@ impl Closings {
             let on_ground = travel.is_some() && column.below.is_none() && structure == column.above;
             let both = [self.gaps.get_mut(first + index), self.reversed.get_mut(first + index)];
             for gap in both.into_iter().flatten() {
-                let piece = if on_ground { column.on_ground(piece.cubic, travel).into() } else { piece.clone() };
+                let piece = if on_ground {
+                    column.on_ground(piece.cubic, travel).into()
+                } else {
+                    piece.clone()
+                };
                 gap.follow(part, piece);
             }
         }

@@ -96,7 +96,11 @@ impl Floors {
     /// A sentence about the floors of a gap that face columns; `None` if there are none.
     pub fn says_columns(&self, gap: usize) -> Option<String> {
         let all = self.unwatched_in(gap);
-        let names: Vec<&str> = all.iter().filter(|one| !one.is_level()).map(|one| self.all[one.floor].name.as_str()).collect();
+        let names: Vec<&str> = all
+            .iter()
+            .filter(|one| !one.is_level())
+            .map(|one| self.all[one.floor].name.as_str())
+            .collect();
         let first = names.first()?;
         let floors = match names.len() {
             1 => format!("{first} faces a column of its neighbour"),
@@ -107,7 +111,7 @@ impl Floors {
         ))
     }
 
-    /// Whether floors on both sides of a gap are level up to the lower roof, by the heights in the scene or because it says so.
+    /// Whether floors on both sides of a gap are level up to the lower roof, by the heights in the scene or by its field `floors`.
     pub fn are_level(&self, gap: usize) -> bool {
         let sides = [gap, gap + 1];
         let are_walls = sides.map(|one| self.of_structure(one).iter().any(|floor| self.all[*floor].is_wall()));
