@@ -53,7 +53,7 @@ pub struct RuleWords {
     pub form: &'static str,
     /// Factor for floors that are all level: the code accepts then that slabs meet.
     pub when_level: f64,
-    /// Number of events from which on the code takes the mean; `None` if the largest counts always.
+    /// Least number of events of which the code takes the mean; `None` if the largest counts always.
     pub mean_from: Option<usize>,
     /// Least number of events that the code asks for.
     pub least_events: usize,
@@ -189,6 +189,12 @@ impl Rule {
                 ..LITERATURE
             },
         }
+    }
+
+    /// Whether the text of its clause could be read.
+    pub fn is_seen(self) -> bool {
+        let RuleWords { clause, code, .. } = self.words();
+        clause.is_none() || code.is_some()
     }
 
     /// Finds the rule of a code by the word of options.

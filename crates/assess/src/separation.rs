@@ -23,8 +23,8 @@ pub struct Separation {
     pub peaks: [f64; 2],
     /// Natural period \[s\] and damping ratio of each neighbour; `None` for a wall.
     pub oscillations: [Option<(f64, f64)>; 2],
-    /// Whether the floors of both neighbours are level up to the lower roof, by the heights in the scene or because it says so; floors that
-    /// may not touch count, too.
+    /// Whether the floors of both neighbours are level up to the lower roof, by the heights in the scene or by its field `floors`. Floors that may not
+    /// touch count, too.
     pub level: bool,
     /// Whether a neighbour is told to stand on isolators: rules for joints between buildings do not size its moat.
     pub isolated: bool,

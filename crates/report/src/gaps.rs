@@ -8,7 +8,7 @@ use pounding_text::{Answer, Cell, Table, Where, digits, rounded_up, short};
 use serde_json::{Value, json};
 
 use crate::folder::{MotionRow, OfFolder, UnderMotion};
-use crate::rules::{RuledGap, notes};
+use crate::rules::{RuledGap, notes, sources};
 
 /// The widths that the gaps of a row need under one motion in one direction.
 #[derive(Debug)]
@@ -79,7 +79,11 @@ pub fn gaps_answer<'a>(folder: &'a OfFolder<'_, GapsUnderMotion>, code: Option<R
     answer
         .say(Where::FirstScreen, "Records", folder.records(false))
         .say(Where::Details, "Records", folder.records(true))
-        .say(Where::Terminal, "Notes", said.chain(notes(scene, &ruled, &shown)).collect())
+        .say(
+            Where::Terminal,
+            "Notes",
+            said.chain([sources(&shown)]).chain(notes(scene, &ruled, &shown)).collect(),
+        )
         .with_csv(|| gaps_table(folder).csv())
 }
 

@@ -1,7 +1,7 @@
 //! Words about the rules of codes for gaps: what each takes, and the width that a code asks for.
 
 use pounding_assess::{Rule, RuleAssessment};
-use pounding_scene::{Property, Scene};
+use pounding_scene::{Property, Scene, Structure};
 use pounding_text::{digits, millimetres, millimetres_up};
 
 /// A gap as rules see it.
@@ -58,8 +58,8 @@ impl RuledGap<'_> {
             format!(", with {} for level floors, which accepts that slabs meet", digits(factor))
         });
         let own = self.own.map_or_else(String::new, |own| {
-            let is_enough = if own < width { "less" } else { "enough" };
-            format!(" The given {} mm are {is_enough}.", millimetres(own))
+            let are = if own < width { "are not enough" } else { "are enough" };
+            format!(" The given {} mm {are} for the code.", millimetres(own))
         });
         let more = if width < self.needed {
             format!(" These motions need {} mm at most to keep them apart.", millimetres_up(self.needed))
@@ -74,37 +74,41 @@ impl RuledGap<'_> {
     }
 }
 
-/// What stands beside the widths of these rules: sources, property lines, level floors and clauses that were not seen.
+/// Editions, clauses and words of the codes among these rules.
+pub(crate) fn sources(shown: &[Rule]) -> String {
+    let codes = shown.iter().filter(|rule| rule.words().clause.is_some());
+    let cited: Vec<String> = codes.map(|rule| format!("{} ({})", rule.cited(), rule.words().says)).collect();
+    format!("Codes: {}.", cited.join("; "))
+}
+
+/// Conditions of the widths by these rules: factors that are left out, property lines, level floors and clauses that were not seen.
 pub(crate) fn notes(scene: &Scene, gaps: &[RuledGap<'_>], shown: &[Rule]) -> Vec<String> {
-    let is_shown = |rule: &Rule| shown.contains(rule);
-    let all: Vec<Rule> = Rule::ALL
-        .into_iter()
-        .filter(is_shown)
-        .filter(|rule| rule.words().clause.is_some())
-        .collect();
-    let cited: Vec<String> = all.iter().map(|rule| format!("{} ({})", rule.cited(), rule.words().says)).collect();
-    let mut said = vec![
-        format!("Codes: {}.", cited.join("; ")),
-        "Rules take the displacements of the time history; C_d, q, R and I_e of the codes are not applied.".into(),
-    ];
-    for gap in gaps {
-        said.push(match gap.property(scene) {
-            Property::Same => format!("{} stand on one property, as the scene says.", gap.names(scene)),
-            Property::Other => format!(
-                "Between {} runs a property line, unless `property = \"same\"` of the contact tells otherwise: each keeps its own \
-                 displacement to it.",
-                gap.names(scene)
-            ),
-        });
+    let mut said = vec!["Rules take the displacements of the time history; C_d, q, R and I_e of the codes are not applied.".into()];
+    let is_wall = |index: usize| matches!(scene.structures[index], Structure::Wall);
+    for (property, words) in [
+        (
+            Property::Other,
+            "a property line is assumed, and each keeps its own displacement to it; `property = \"same\"` of the contact tells otherwise",
+        ),
+        (Property::Same, "both stand on one property, as the scene says"),
+    ] {
+        let own = gaps.iter().filter(|gap| gap.property(scene) == property);
+        let own = own.filter(|gap| !is_wall(gap.left) && !is_wall(gap.left + 1));
+        let names: Vec<String> = own.map(|gap| gap.names(scene)).collect();
+        if !names.is_empty() {
+            said.push(format!("Between {}: {words}.", names.join(", between ")));
+        }
     }
     let narrowed = |rule: &Rule| {
         let mut ruled = gaps.iter().flat_map(|gap| gap.rules);
         let factor = ruled.find(|one| one.rule == *rule)?.narrowed()?;
         Some(format!("{} ({})", rule.name(), digits(factor)))
     };
-    let narrowed: Vec<String> = all.iter().filter_map(narrowed).collect();
+    let narrowed: Vec<String> = shown.iter().filter_map(narrowed).collect();
     if !narrowed.is_empty() {
         said.push(format!("Factors for level floors accept that slabs meet: {}.", narrowed.join(", ")));
     }
+    let unseen = shown.iter().filter(|rule| !rule.is_seen());
+    said.extend(unseen.map(|rule| format!("{}: clause not seen, so that its width may be wrong.", rule.words().edition)));
     said
 }

@@ -7,6 +7,7 @@ mod batches;
 mod budgets;
 mod buildings;
 mod certificates;
+mod codes;
 mod directions;
 mod documents;
 mod errors;

@@ -10,7 +10,7 @@ use crate::SCHEMA_VERSION;
 use crate::gaps::says_moat;
 use crate::not_modelled;
 use crate::page::{BEFORE, UNUSUAL, sentence};
-use crate::rules::notes;
+use crate::rules::{notes, sources};
 
 impl AssessmentReport {
     /// The answer: the gaps, the effects of touching, and how sure these are. Its CSV has a line for each number \[SI\]: record, reversed, building,
@@ -105,6 +105,7 @@ impl AssessmentReport {
         answer
             .table(Where::Terminal, first(&self.rules()))
             .say_as(Where::Terminal, Manner::Soft, "Rules", self.rule_notes())
+            .say_as(Where::Details, Manner::Soft, "Codes", vec![sources(&Rule::ALL)])
             .heading("Motions")
             .table(Where::Details, self.runs().grid())
             .say_as(Where::Everywhere, Manner::List, "Records", self.remarks().to_vec())

@@ -138,11 +138,6 @@ fn issue_powers_of_ten_look_unusual() {
             "contacts[1].law.kelvin_voigt",
         ),
         ("name = \"row\"", "name = \"row\"\narrivals_s = [0, 0.1, 100]", "arrivals_s[2]"),
-        (
-            "{ mass_kg = 2e5, height_m = 3.0, repeat = 2 }",
-            "{ mass_kg = 2e5, height_m = 3.0 }, { mass_kg = 2e5 }",
-            "structures[1].building.storeys[1].height_m",
-        ),
     ] {
         let text = ROW.replace(from, to);
         assert_ne!(text, ROW, "{from}");
@@ -150,6 +145,30 @@ fn issue_powers_of_ten_look_unusual() {
         let doubts = prepared(&scene).expect("it can be modelled").doubts();
         assert!(doubts.iter().any(|doubt| doubt.place == place), "{place}: {doubts:?}");
     }
+}
+
+/// Storeys of one number were taken to be level after a mere warning.
+#[test]
+fn issue_floors_that_may_not_be_level_are_asked_for() {
+    let of = |text: &str| prepared(&Scene::parse(text.as_bytes(), Path::new("row.toml")).expect("a scene"));
+    let unknown = ROW.replace(
+        "{ mass_kg = 2e5, height_m = 3.0, repeat = 2 }",
+        "{ mass_kg = 2e5, height_m = 3.0 }, { mass_kg = 2e5 }",
+    );
+    assert_ne!(unknown, ROW);
+    let message = of(&unknown).expect_err("heights decide").to_string();
+    insta::assert_snapshot!(message, @"");
+    let told = of(&format!("floors = \"level\"\n{}", unknown.trim_start())).expect("it is told");
+    assert!(
+        (0..1).all(|gap| told.floors().are_level(gap)) && !told.floors().are_level(1),
+        "a wall is no level floor"
+    );
+    assert_eq!(told.doubts(), []);
+    // Without contacts nothing faces anything, unless gaps are asked for.
+    let (apart, _) = unknown.split_once("[[contacts]]").expect("contacts");
+    assert!(of(apart).is_ok());
+    let apart = Scene::parse(apart.as_bytes(), Path::new("row.toml")).expect("a scene");
+    assert!(prepared(&apart.seeking_gaps()).is_err());
 }
 
 /// A warning about the third pair named `contacts[2]` in a scene with two contacts.

@@ -40,7 +40,7 @@ impl BesideColumn {
         [side, -side * self.along, -side * (1.0 - self.along)]
     }
 
-    /// The gap between the floor and the column; the ground has no motion of its own.
+    /// The gap between the floor and the column. Ground that does not travel has no motion.
     fn gap(&self) -> Gap {
         let weights = self.weights();
         let parts = if self.below.is_some() { 3 } else { 2 };

@@ -116,7 +116,7 @@ impl Floors {
         ))
     }
 
-    /// Whether floors on both sides of a gap are level up to the lower roof, by the heights in the scene or because it says so.
+    /// Whether floors on both sides of a gap are level up to the lower roof, by the heights in the scene or by its field `floors`.
     pub fn are_level(&self, gap: usize) -> bool {
         let sides = [gap, gap + 1];
         let are_walls = sides.map(|one| self.of_structure(one).iter().any(|floor| self.all[*floor].is_wall()));

@@ -1,7 +1,7 @@
 //! The motion between two neighbours, and how far they have closed their gap.
 //!
-//! Of two floors the closing is the left motion minus the right motion. A floor beside a column closes its gap with the motion of the
-//! column at its height, which lies between those of both ends: a gap is a weighted sum of motions.
+//! A closing is a weighted sum of motions. For two floors it is the left motion minus the right motion. The motion of a column lies between
+//! those of its ends.
 
 use std::collections::VecDeque;
 
