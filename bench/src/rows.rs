@@ -7,8 +7,8 @@ use pounding_contact::{ContactLaw, NonlinearViscoelastic};
 use pounding_plot::{Axis, Curve, CurveKind, Figure, Mark, Panel, PlotError, Shade, render_png};
 use pounding_scene::file::RunBudget;
 use pounding_scene::{
-    Building, Columns, ComparedMethod, Contact, Damping, Error, FileUse, FloorHeights, Method, Property, RecordUse, STANDARD_GRAVITY,
-    Scene, Simulation, Source, Storey, Structure,
+    Building, Capacities, Columns, ComparedMethod, Contact, Damping, Error, FileUse, FloorHeights, Method, Property, RecordUse,
+    STANDARD_GRAVITY, Scene, Simulation, Source, Storey, Structure,
 };
 use std::f64::consts::PI;
 use std::path::Path;
@@ -183,6 +183,7 @@ fn building(index: usize, storeys: usize, yields: bool) -> Building {
             yield_force_n: yields.then(|| YIELDS_AT * weight(storey)),
             ..Columns::elastic(MASS * omega * omega)
         },
+        capacities: Capacities::default(),
         initial_displacement_m: 0.0,
         initial_velocity_m_per_s: 0.0,
     };

@@ -38,7 +38,7 @@ pub(crate) fn escaped(text: &str) -> String {
 /// Sentences as markup: what a terminal shows between backticks stands in the letters of code.
 pub(crate) fn prose(text: &str) -> String {
     let parts: Vec<&str> = text.split('`').collect();
-    if parts.len() % 2 == 0 {
+    if parts.len().is_multiple_of(2) {
         return escaped(text);
     }
     let part = |(index, part): (usize, &&str)| {
