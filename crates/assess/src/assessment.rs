@@ -284,7 +284,10 @@ impl<'r> AssessedRow<'r> {
             own.filter(|(_, one)| one.collisions > 0).collect()
         };
         let (all, counted) = (of(self.all), of(self.runs));
-        assessed_pair(if counted.is_empty() { &all } else { &counted }, count(all.iter().map(|(case, _)| *case)))
+        assessed_pair(
+            if counted.is_empty() { &all } else { &counted },
+            count(all.iter().map(|(case, _)| *case)),
+        )
     }
 
     fn by_stiffness(&self) -> Option<StiffnessEffect> {
@@ -292,7 +295,9 @@ impl<'r> AssessedRow<'r> {
         let floors: Vec<(Case, &AssessedFloor)> = moving.flat_map(|floor| self.hits(floor)).collect();
         let ratio = |[least, largest]: [f64; 2]| largest / least;
         let of = |peak: fn(&FloorPeaks) -> f64| {
-            let ratios = floors.iter().map(|(case, one)| (*case, ratio(one.over_stiffness.each_ref().map(peak))));
+            let ratios = floors
+                .iter()
+                .map(|(case, one)| (*case, ratio(one.over_stiffness.each_ref().map(peak))));
             Distribution::of_cases(ratios.filter(|(_, ratio)| ratio.is_finite()))
         };
         let pairs = self.runs.iter().flat_map(|one| one.run.pairs.iter().map(|pair| (one.case(), pair)));
@@ -373,7 +378,10 @@ fn assessed_floor(all: &[(Case, &AssessedFloor)]) -> Option<FloorAssessment> {
         acceleration: beside(|peaks| peaks.acceleration)?,
         acceleration_range: [range(0)?, range(1)?],
         largest_drift: largest(|one| one.beside.drift),
-        largest_drift_range: [largest(|one| one.over_stiffness[0].drift), largest(|one| one.over_stiffness[1].drift)],
+        largest_drift_range: [
+            largest(|one| one.over_stiffness[0].drift),
+            largest(|one| one.over_stiffness[1].drift),
+        ],
         largest_drift_alone: largest(|one| one.alone.drift),
     })
 }

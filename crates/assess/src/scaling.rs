@@ -149,7 +149,9 @@ impl Scaling {
 
     /// Returns the scaling that raises motions of these spectra to their target.
     fn reaching(&self, scene: &Scene, spectra: &[&MotionSpectrum]) -> Self {
-        let fit = self.target().and_then(|target| Some((target, TargetFit::of(scene, target, spectra)?)));
+        let fit = self
+            .target()
+            .and_then(|target| Some((target, TargetFit::of(scene, target, spectra)?)));
         let Some((target, fit)) = fit else {
             return self.clone();
         };

@@ -190,7 +190,10 @@ fn how_hard(prepared: &Simulation, result: &RunResult, hardest: &Blow) -> String
     let largest = found.largest.map(|largest| largest.start.to_bits());
     let push = found.leaning().filter(|longest| largest == Some(longest.start.to_bits()));
     let push = push.map_or_else(String::new, |push| {
-        format!("; the largest impulse is that of a push of {} s, no blow", short(push.end - push.start))
+        format!(
+            "; the largest impulse is that of a push of {} s, no blow",
+            short(push.end - push.start)
+        )
     });
     format!("{how}{push}")
 }

@@ -81,7 +81,8 @@ pub fn gaps_table<'a>(folder: &OfFolder<'a, GapsUnderMotion>) -> Table<'a, Motio
 const LEVELS: &str = "Level: that of the floors that need most and whose displacements the rules take, counted from 1 for the lowest; \
                       all count at which floors face each other, also those that `levels` of a contact leaves out.";
 
-const OTHERS: &str = "In a row of three and more a gap as wide stays open if every other gap does, too: a building that is pushed moves farther than alone.";
+const OTHERS: &str =
+    "In a row of three and more a gap as wide stays open if every other gap does, too: a building that is pushed moves farther than alone.";
 
 const TRAVELS: &str = "The ground travels along the row (`arrivals_s`): it is in what a gap needs, while the rules know \
                        displacements relative to each structure's own ground alone.";

@@ -13,7 +13,10 @@ pub(crate) struct Choosing {
 impl fmt::Debug for Choosing {
     fn fmt(&self, to: &mut fmt::Formatter<'_>) -> fmt::Result {
         let (done, of) = (&self.done, &self.of);
-        to.debug_struct("Choosing").field("done", done).field("of", of).finish_non_exhaustive()
+        to.debug_struct("Choosing")
+            .field("done", done)
+            .field("of", of)
+            .finish_non_exhaustive()
     }
 }
 

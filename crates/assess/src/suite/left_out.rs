@@ -82,7 +82,11 @@ impl LeftOutKind {
             Self::NoAcceleration => ["spectrum or other quantity", "spectra or other quantities", NO_ACCELERATION],
             Self::Borehole => ["record in a borehole", "records in boreholes", ON_THE_GROUND],
             Self::Structure => ["record on a structure", "records on structures", ON_THE_GROUND],
-            Self::Scaled => ["record scaled too far", "records scaled too far", "they belong to other earthquakes"],
+            Self::Scaled => [
+                "record scaled too far",
+                "records scaled too far",
+                "they belong to other earthquakes",
+            ],
             Self::Copy => ["copy", "copies", "each record counts once"],
             Self::Vertical => ["vertical component", "vertical components", "by the name in the file"],
             Self::VerticalByName => [

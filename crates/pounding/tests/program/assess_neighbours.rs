@@ -122,7 +122,10 @@ fn limit_a_soft_bumper_in_a_wide_gap_takes_the_force() {
     let largest = |of: &Value| of["largest"].as_f64().expect("a ratio");
     assert!(largest(&bumper["force_with_over_without"]) < 0.7, "{bumper}");
     let mut floors = bumper["floors"].as_array().expect("floors").iter();
-    assert!(floors.any(|floor| largest(&floor["acceleration_with_over_without"]) < 1.0), "{bumper}");
+    assert!(
+        floors.any(|floor| largest(&floor["acceleration_with_over_without"]) < 1.0),
+        "{bumper}"
+    );
     for one in bumper["bumpers"].as_array().expect("bumpers") {
         assert!((one["thickness_m"].as_f64().expect("a width") - 0.1).abs() < 1e-12);
     }

@@ -117,7 +117,8 @@ impl AssessmentReport {
 
     /// Whether bumpers have a result: none is compressed through, and proposed ones harm nothing.
     pub(super) fn bumpers_hold(&self) -> bool {
-        let holds = |effect: &BumperEffect| !effect.is_too_thin() && (!self.is_proposed() || (effect.helps() && self.unfounded().is_none()));
+        let holds =
+            |effect: &BumperEffect| !effect.is_too_thin() && (!self.is_proposed() || (effect.helps() && self.unfounded().is_none()));
         self.bumper.as_ref().is_some_and(holds)
     }
 

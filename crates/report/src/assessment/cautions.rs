@@ -42,8 +42,8 @@ impl AssessmentReport {
         };
         let [from, least] = [*from, self.fit.as_ref()?.least().0].map(|share| (100.0 * share).floor());
         Some(format!(
-            "With the factors of single records their mean spectrum has {from:.0} % of the target at worst. All numbers are therefore for \
-             records that are {} times as strong: {least:.0} %.",
+            "Scaled one by one, the records have a mean spectrum with {from:.0} % of the target at worst. All numbers are for records {} times \
+             as strong, whose mean has {least:.0} %.",
             digits(*by)
         ))
     }
@@ -75,8 +75,22 @@ impl AssessmentReport {
                 motion.name
             ))
         };
-        let alone = (disbelieved_alone > 0).then(|| one(disbelieved_alone, "even alone, whatever the gap", |run| run.disbelieved_alone.as_ref(), "these"));
-        let beside = (beside > 0).then(|| one(beside, "beside its neighbours", |run| run.disbelieved_beside.as_ref(), "forces and effects of these"));
+        let alone = (disbelieved_alone > 0).then(|| {
+            one(
+                disbelieved_alone,
+                "even alone, whatever the gap",
+                |run| run.disbelieved_alone.as_ref(),
+                "these",
+            )
+        });
+        let beside = (beside > 0).then(|| {
+            one(
+                beside,
+                "beside its neighbours",
+                |run| run.disbelieved_beside.as_ref(),
+                "forces and effects of these",
+            )
+        });
         [alone, beside].into_iter().flatten().flatten().collect()
     }
 

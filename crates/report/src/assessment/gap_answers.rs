@@ -105,7 +105,10 @@ impl AssessmentReport {
     fn would_do(&self, gap: &GapAssessment, enough: &str) -> String {
         if let Some(why) = self.unfounded() {
             let needed = millimetres_up(gap.required.largest());
-            return format!("Under these records they need {needed} mm, {}, but {why}.", self.largest_of(&gap.required));
+            return format!(
+                "Under these records they need {needed} mm, {}, but {why}.",
+                self.largest_of(&gap.required)
+            );
         }
         let [most, all] = [gap.built(gap.required.upper()), gap.proposal()].map(millimetres);
         let samples = self.sample();

@@ -64,7 +64,11 @@ impl Response {
                 all.map_or(0.0, |all| of(&all))
             })
         };
-        let upper = if report.assessment.cases < Distribution::ENOUGH { "largest" } else { "84 %" };
+        let upper = if report.assessment.cases < Distribution::ENOUGH {
+            "largest"
+        } else {
+            "84 %"
+        };
         let [alone_upper, beside_upper] = ["alone", "beside"].map(|side| format!("{side}, {upper}"));
         let alone: fn(&AssessedFloor) -> &FloorPeaks = |floor| &floor.alone;
         let beside: fn(&AssessedFloor) -> &FloorPeaks = |floor| &floor.beside;

@@ -114,9 +114,12 @@ impl AssessmentReport {
     }
 
     fn of_rules<'a>(&'a self, rules: impl Iterator<Item = RuleOfGap<'a>>) -> Table<'a, RuleOfGap<'a>> {
-        let table = Table::of(rules)
-            .shown("Gap", |(gap, _)| self.between(gap))
-            .both("rule", "Rule", |(_, rule)| rule.rule.name(), |(_, rule)| rule.rule.name());
+        let table = Table::of(rules).shown("Gap", |(gap, _)| self.between(gap)).both(
+            "rule",
+            "Rule",
+            |(_, rule)| rule.rule.name(),
+            |(_, rule)| rule.rule.name(),
+        );
         self.quantiles(table, "width_m", &Unit::WIDTH, |(_, rule)| &rule.width)
             .number("width_m.largest", "Largest", &Unit::WIDTH, |(_, rule)| rule.width.largest())
             .column("width_m.dispersion", |(_, rule)| Cell::exact(rule.width.dispersion()))

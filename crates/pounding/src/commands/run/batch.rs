@@ -193,14 +193,18 @@ fn result(runs: &Runs<'_>) -> Vec<String> {
 
 /// Adds the effects of pounding on every storey, if they were asked for.
 fn effects<'a>(runs: &Runs<'_>, answer: Answer<'a>) -> Answer<'a> {
-    let all = runs.found().filter_map(|(line, run)| Some((line.event, run, run.effects.as_ref()?)));
+    let all = runs
+        .found()
+        .filter_map(|(line, run)| Some((line.event, run, run.effects.as_ref()?)));
     let all: Vec<_> = all.collect();
     let Some((_, first, _)) = all.first() else {
         return answer;
     };
     let floors = &first.floors;
     let ratio = |floor: usize, response: usize| {
-        let both = all.iter().flat_map(|(event, _, one)| [(event, &one.as_given[floor]), (event, &one.reversed[floor])]);
+        let both = all
+            .iter()
+            .flat_map(|(event, _, one)| [(event, &one.as_given[floor]), (event, &one.reversed[floor])]);
         let ratios = both.filter_map(|(event, one)| Some(([*event, 0], one.responses()[response]?.amplification?.value)));
         let all = Distribution::of_cases(ratios);
         all.map_or(NONE.into(), |all| {
@@ -220,7 +224,8 @@ fn effects<'a>(runs: &Runs<'_>, answer: Answer<'a>) -> Answer<'a> {
     let storey = |floor: &usize| {
         let one = &floors.all()[*floor];
         let building = runs.scene.structures[one.structure].name();
-        one.storey.map_or_else(|| building.to_owned(), |storey| format!("{building}, storey {storey}"))
+        one.storey
+            .map_or_else(|| building.to_owned(), |storey| format!("{building}, storey {storey}"))
     };
     let table = Table::of(floors.by_structure().filter(|floor| !floors.all()[*floor].is_wall()))
         .shown(heading, storey)
