@@ -141,8 +141,8 @@ impl AssessedRun {
     }
 }
 
-/// Responses above which no result of the model is believed: four times the drift that codes allow, a tenth of 12 m for a storey of unknown
-/// height, and the stability coefficient at which gravity leaves nothing of the strength of a storey.
+/// Responses above which no result of the model is believed: four times the drift that codes allow, and a tenth of 12 m for a storey of
+/// unknown height. At the stability coefficient gravity takes all of the strength of a storey.
 const MOST_BELIEVED: [(ExcessKind, f64); 3] = [
     (ExcessKind::Drift, 0.1),
     (ExcessKind::Displacement, 1.2),

@@ -30,7 +30,7 @@ pub enum Scaling {
         target: DesignSpectrum,
         /// Factor on all records after their own \[–\], > 1.
         by: f64,
-        /// Least part of the target that the mean spectrum has without it \[–\].
+        /// Least part of the target that the mean spectrum has before \[–\].
         from: f64,
     },
 }

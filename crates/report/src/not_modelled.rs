@@ -106,6 +106,7 @@ mod tests {
             floor: 0,
             name: "a".into(),
             found: 1.0,
+            capacity: None,
             often: None,
         };
         let excesses: Vec<Excess> = kinds.iter().map(excess).collect();

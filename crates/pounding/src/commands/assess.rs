@@ -224,10 +224,9 @@ impl Arguments {
         let scaling = self.scaling()?.raised(&known, records, self.max_scale);
         if records.motions.is_empty() {
             let most = digits(self.max_scale.unwrap_or_default());
-            let found = Refused::at("--max-scale")
-                .found(most)
-                .allowed_is("a factor that some record of the folder keeps");
-            return Err(found.help("larger factors are allowed, or other records"));
+            let found = Refused::at("--max-scale").found(format!("{most}, and no record needs so little"));
+            let found = found.allowed_is("a larger factor, or a folder with stronger records");
+            return Err(found.so("; ", records.said_of_left_out(false).join("; ")));
         }
         Ok(Asked {
             known,

@@ -115,15 +115,19 @@ fn extreme_unknown_neighbours_that_are_refused() {
 /// A soft bumper in a wide gap reduces the pounding force; a narrow gap gets no bumper.
 #[test]
 fn limit_a_soft_bumper_in_a_wide_gap_takes_the_force() {
-    let wide = TOWERS.replace("gap_m = 0.04", "gap_m = 0.1");
+    let wide = TOWERS.replace("gap_m = 0.04", "gap_m = 0.2");
     let work = workplace("assess_bumper", &wide);
-    let all = found(&work, &["--scale", "pga=1.2g", "--bumper", "k=20MN/m"]);
+    let all = found(&work, &["--scale", "pga=0.5g", "--bumper", "k=20MN/m"]);
     let bumper = &all["bumper"];
-    let median = |name: &str| bumper[name]["median"].as_f64().expect("a ratio");
-    assert!(median("force_with_over_without") < 0.7, "{bumper}");
-    assert!(median("acceleration_with_over_without") < 1.0, "{bumper}");
+    let largest = |of: &Value| of["largest"].as_f64().expect("a ratio");
+    assert!(largest(&bumper["force_with_over_without"]) < 0.7, "{bumper}");
+    let mut floors = bumper["floors"].as_array().expect("floors").iter();
+    assert!(
+        floors.any(|floor| largest(&floor["acceleration_with_over_without"]) < 1.0),
+        "{bumper}"
+    );
     for one in bumper["bumpers"].as_array().expect("bumpers") {
-        assert!((one["thickness_m"].as_f64().expect("a width") - 0.05).abs() < 1e-12);
+        assert!((one["thickness_m"].as_f64().expect("a width") - 0.1).abs() < 1e-12);
     }
     let proposals = |all: &Value| all["proposals"].to_string();
     assert!(!proposals(&all).contains("help"), "{}", proposals(&all));

@@ -42,8 +42,8 @@ impl AssessmentReport {
         };
         let [from, least] = [*from, self.fit.as_ref()?.least().0].map(|share| (100.0 * share).floor());
         Some(format!(
-            "With the factors of single records their mean spectrum has {from:.0} % of the target at worst. All numbers are therefore for \
-             records that are {} times as strong: {least:.0} %.",
+            "Scaled one by one, the records have a mean spectrum with {from:.0} % of the target at worst. All numbers are for records {} times \
+             as strong, whose mean has {least:.0} %.",
             digits(*by)
         ))
     }

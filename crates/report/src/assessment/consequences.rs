@@ -139,8 +139,14 @@ impl AssessmentReport {
         let limit = percent(HARMLESS * Excess::MOST_DRIFT);
         let Some(Changed { count, floor, ratio }) = self.changed(harmful, grows, true) else {
             return Some(format!(
-                "{} by more than 10 %, but none of them drifts more than {limit} of its height.",
-                counted(all.count, ["storey drifts more", "storeys drift more"])
+                "{} below {limit} of the height, which is harmless.",
+                counted(
+                    all.count,
+                    [
+                        "storey drifts more by more than 10 %, but stays",
+                        "storeys drift more by more than 10 %, but stay"
+                    ]
+                )
             ));
         };
         let harmless = match all.count - count {
@@ -149,9 +155,9 @@ impl AssessmentReport {
             n => format!(" {n} others do so, too, but stay below {limit} of their height, which is harmless."),
         };
         Some(format!(
-            "{} by more than 10 %, most {}: {}.{harmless}",
+            "{} by more than 10 %, {}: {}.{harmless}",
             counted(count, ["storey drifts more", "storeys drift more"]),
-            self.storey_name(floor),
+            most(count, &self.storey_name(floor)),
             self.times(ratio)
         ))
     }
@@ -167,9 +173,9 @@ impl AssessmentReport {
             format!("{least} to {most} times the acceleration alone, over the stiffness of contact")
         };
         Some(format!(
-            "{} by more than 10 %, most {}: {of}.",
+            "{} by more than 10 %, {}: {of}.",
             counted(changed.count, ["floor shakes harder", "floors shake harder"]),
-            self.floor_name(changed.floor)
+            most(changed.count, &self.floor_name(changed.floor))
         ))
     }
 
@@ -177,9 +183,9 @@ impl AssessmentReport {
     fn better_drifts(&self) -> Option<String> {
         let Changed { count, floor, ratio } = self.changed(|_, one| Some(&one.drift), |ratio| ratio < 0.9, false)?;
         Some(format!(
-            "{} by more than 10 %, most {}: {} times as far as alone.",
+            "{} by more than 10 %, {}: {} times as far as alone.",
             counted(count, ["storey drifts less", "storeys drift less"]),
-            self.storey_name(floor),
+            most(count, &self.storey_name(floor)),
             two_decimals(ratio.upper())
         ))
     }
@@ -198,6 +204,12 @@ impl AssessmentReport {
             format!("up to {upper} times as far as alone ({})", self.largest_of(ratio))
         }
     }
+}
+
+/// Names the one that is meant, or the one of several that changes most.
+fn most(count: usize, name: &str) -> String {
+    let most = if count == 1 { "" } else { "most " };
+    format!("{most}{name}")
 }
 
 /// "3 storeys drift more".

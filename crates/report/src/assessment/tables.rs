@@ -88,7 +88,11 @@ impl AssessmentReport {
         of: impl Fn(&Row) -> &'a Distribution + Copy + 'a,
     ) -> Table<'a, Row> {
         let [median, p84] = ["median", "p84"].map(|statistic| format!("{name}.{statistic}"));
-        if self.assessment.believed_alone().max(1) >= Distribution::ENOUGH {
+        let counted = match self.assessment.believed_alone() {
+            0 => self.assessment.cases,
+            n => n,
+        };
+        if counted >= Distribution::ENOUGH {
             table
                 .number(median, "Median", unit, move |row| of(row).median())
                 .number(p84, "84 %", unit, move |row| of(row).p84())
@@ -131,7 +135,11 @@ impl AssessmentReport {
     /// The effects of touching on these storeys.
     pub(super) fn storeys<'a>(&'a self, floors: Vec<(usize, &'a FloorAssessment)>) -> Table<'a, (usize, &'a FloorAssessment)> {
         let floor = |index: usize| &self.floors.all()[index];
-        let heading = match self.assessment.cases {
+        let counted = match self.assessment.cases - self.assessment.disbelieved {
+            0 => self.assessment.cases,
+            n => n,
+        };
+        let heading = match counted {
             n if n >= Distribution::ENOUGH => "When they touch, median / 84 %".into(),
             1 => format!("When they touch, the only {}", self.sample()),
             n => format!("When they touch, largest of {n} {}s", self.sample()),
