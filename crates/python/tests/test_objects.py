@@ -185,7 +185,7 @@ def test_limit_records_at_hand_are_a_folder(towers, tmp_path) -> None:
 def test_reference_notebooks_show_a_sketch_and_a_sentence(towers, pulse) -> None:
     run = towers.run(pulse)
     html = run._repr_html_()
-    assert "<svg" in html and "they touch" in html
+    assert "<svg" in html and "floors touch" in html
     assert "<svg" in towers._repr_html_()
     assert "Record ricker" in repr(pulse)
     assert "line" in repr(pounding.read(RECORD)), "says from which line"

@@ -1,14 +1,16 @@
 //! What a run or an assessment assumes, in a table: a checking engineer asks for it before the numbers.
 
 use pounding_scene::{Contact, Floors, Scene, Structure};
-use pounding_text::{Grid, Shown, Table, digits, short};
+use pounding_text::{Grid, Shown, Table, digits, two_digits};
 
 use crate::answer::{damping_given, parameters};
 
 /// An assumption.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Assumed {
-    what: String,
+    what: &'static str,
+    /// The buildings or gaps that it concerns; empty if all.
+    of: String,
     value: String,
     /// Where the value comes from.
     source: &'static str,
@@ -24,12 +26,35 @@ pub(crate) const DEFAULT: &str = "default";
 const OF_LITERATURE: [f64; 2] = [9.35e7, 2.75e9];
 
 impl Assumed {
-    pub(crate) fn new(what: impl Into<String>, value: impl Into<String>, source: &'static str) -> Self {
+    pub(crate) fn new(what: &'static str, value: impl Into<String>, source: &'static str) -> Self {
         Self {
-            what: what.into(),
+            what,
+            of: String::new(),
             value: value.into(),
             source,
         }
+    }
+
+    fn of(self, name: &str) -> Self {
+        Self { of: name.into(), ..self }
+    }
+
+    /// The scene says it, or it is the default.
+    pub(crate) fn unless_default(what: &'static str, value: impl Into<String>, is_default: bool) -> Self {
+        Self::new(what, value, if is_default { DEFAULT } else { SCENE })
+    }
+
+    /// Gathers equal assumptions about several buildings or gaps, in the order of their first.
+    fn gathered(all: impl Iterator<Item = Self>) -> Vec<Self> {
+        let mut gathered: Vec<Self> = Vec::new();
+        for one in all {
+            let equal = |known: &&mut Self| (known.what, &known.value, known.source) == (one.what, &one.value, one.source);
+            match gathered.iter_mut().find(equal) {
+                Some(known) => known.of = format!("{}, {}", known.of, one.of),
+                None => gathered.push(one),
+            }
+        }
+        gathered
     }
 
     /// A table of assumptions: these, then those of the row.
@@ -37,17 +62,17 @@ impl Assumed {
         let buildings = scene.structures.iter().flat_map(of_structure);
         let contacts = scene.contacts.iter().flatten().enumerate();
         let contacts = contacts.flat_map(|(gap, contact)| of_contact(scene, floors, gap, contact));
-        let ground = Self::new(
-            "Ground",
-            match scene.arrivals_s {
-                Some(_) => "firm under all bases; the motion travels along the row",
-                None => "firm under all bases, which move alike",
-            },
-            if scene.arrivals_s.is_some() { SCENE } else { DEFAULT },
-        );
+        let ground = match scene.arrivals_s {
+            Some(_) => "firm under all bases; the motion travels along the row",
+            None => "firm under all bases, which move alike",
+        };
+        let ground = Self::unless_default("Ground", ground, scene.arrivals_s.is_none());
         let all = first.into_iter().chain([ground]).chain(buildings).chain(contacts);
-        Table::of(all)
-            .shown("Assumed", |one: &Self| one.what.clone())
+        Table::of(Self::gathered(all))
+            .shown("Assumed", |one: &Self| {
+                let of = (!one.of.is_empty()).then(|| one.of.clone());
+                Shown::from(one.what).over(of)
+            })
             .shown("Value", |one| Shown::from(one.value.as_str()).long())
             .shown("Source", |one| Shown::from(one.source).long())
             .grid()
@@ -60,9 +85,10 @@ fn of_structure(structure: &Structure) -> Vec<Assumed> {
     let Some(damping) = structure.damping_ratio() else {
         return Vec::new();
     };
-    let ratio = format!("{} % of critical", short(100.0 * damping));
+    let ratio = format!("{} % of critical", two_digits(100.0 * damping));
     let damping = match damping_given(structure) {
-        Some(given) => format!("{ratio} in the first mode, {given}"),
+        Some(modes) if modes.starts_with("in modes") => format!("{ratio} {modes}"),
+        Some(given) => format!("{ratio} in the first mode: {given}"),
         None => ratio,
     };
     let (columns, source) = match yields(structure) {
@@ -71,8 +97,8 @@ fn of_structure(structure: &Structure) -> Vec<Assumed> {
         _ => ("yield without loss of strength", SCENE),
     };
     vec![
-        Assumed::new(format!("Damping of {name}"), damping, SCENE),
-        Assumed::new(format!("Columns of {name}"), columns, source),
+        Assumed::new("Damping", damping, SCENE).of(name),
+        Assumed::new("Columns", columns, source).of(name),
     ]
 }
 
@@ -88,9 +114,9 @@ fn yields(structure: &Structure) -> [usize; 2] {
 
 /// Law, stiffness and levels of a contact.
 fn of_contact(scene: &Scene, floors: &Floors, gap: usize, contact: &Contact) -> Vec<Assumed> {
-    let [left, right] = [gap, gap + 1].map(|index| scene.structures[index].name());
+    let between = [gap, gap + 1].map(|index| scene.structures[index].name()).join(" – ");
     let law = Assumed::new(
-        format!("Contact of {left} and {right}"),
+        "Contact",
         format!("{}, {}", contact.law.name().replace('_', " "), parameters(contact)),
         stiffness_source(contact),
     );
@@ -103,7 +129,7 @@ fn of_contact(scene: &Scene, floors: &Floors, gap: usize, contact: &Contact) -> 
     } else {
         ("taken as level, by their numbers from the ground", DEFAULT)
     };
-    vec![law, Assumed::new(format!("Floors of {left} and {right}"), level, source)]
+    vec![law.of(&between), Assumed::new("Floors", level, source).of(&between)]
 }
 
 /// Where the stiffness of a contact comes from; of impacts without a stiffness, the scene.

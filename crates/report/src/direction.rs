@@ -102,7 +102,8 @@ fn sentences(prepared: &Simulation, mut both: [(&str, &RunResult); 2]) -> [Strin
 
 /// A run in a direction, in a sentence.
 fn shaken(direction: &str, prepared: &Simulation, result: &RunResult) -> String {
-    sentence(&format!("shaken {direction}, {}", run_sentence(prepared, result)))
+    let comma = if prepared.floors().says_no_contact().is_some() { ':' } else { ',' };
+    sentence(&format!("shaken {direction}{comma} {}", run_sentence(prepared, result)))
 }
 
 /// Returns the excesses of both directions, each kind at its worst, and the warnings.

@@ -16,7 +16,7 @@ pub(crate) struct Meeting {
     pub(crate) hardest: Option<(usize, String)>,
 }
 
-/// Shorter rows have one gap, of which every sentence is.
+/// Shorter rows have one gap: every sentence is about it.
 const LEAST: usize = 3;
 
 /// A table of the gaps of a row of three or more; empty for shorter rows.

@@ -216,7 +216,7 @@ fn limit_the_same_scene_gives_the_same_bytes() {
         assert!(ended.status.success(), "a good run");
     }
     let [first, second] = ["first", "second"].map(|out| files(&folder.join(out)));
-    assert_eq!(first.len(), 13, "four files, four figures twice, the animation");
+    assert_eq!(first.len(), 15, "four files, five figures twice, the animation");
     assert!(first == second, "the same bytes");
 }
 

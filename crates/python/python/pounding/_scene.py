@@ -16,7 +16,7 @@ from ._errors import Refused
 from ._progress import Progress, shown
 from ._record import Record, read
 from ._run import Run
-from ._tables import frame
+from ._tables import effect_row, frame
 from ._structures import Law, for_each, law_of
 from ._sweep import arrays_of, restitution_of, spread
 from ._words import AT_REST, present, refused, table_of, to_json, visible, warn, words
@@ -121,35 +121,6 @@ def row(
     if duration is not None:
         given["duration_s"] = duration
     return Scene(to_json({**given, "record": AT_REST}), "scene.json", None, False)
-
-
-#: Responses of a floor in the answer about effects: name there, name of columns, unit.
-_EFFECTS = (("drift_m", "drift", "m"), ("shear_n", "shear_force", "n"), ("acceleration_m_per_s2", "acceleration", "m_per_s2"))
-
-
-def effect_row(floor: Mapping[str, Any], is_reversed: bool, buildings: Sequence[str]) -> dict[str, Any]:
-    """A floor of the answer about effects as a row of a table."""
-    building, found, level = str(floor["name"]).rpartition(", floor ")
-    is_level = bool(found) and building in buildings and level.isdecimal()
-    row: dict[str, Any] = {
-        "building": building if is_level else floor["name"],
-        "storey": int(level) if is_level else 1,
-        "name": floor["name"],
-        "reversed": is_reversed,
-    }
-
-    def known(name: str, number: Mapping[str, Any] | None) -> None:
-        for end, key in (("", "value"), ("_low", "low"), ("_high", "high")):
-            row[f"{name}{end}"] = None if number is None else number[key]
-
-    for name in ("collisions", "impulse_n_s", "largest_impulse_n_s"):
-        known(name, floor[name])
-    for key, name, unit in _EFFECTS:
-        effect = floor.get(key)
-        row[f"{name}_alone_{unit}"] = effect and effect["alone"]
-        row[f"{name}_{unit}"] = effect and effect["beside"]
-        known(f"{name}_amplification", effect and effect["amplification"])
-    return row
 
 
 def scene(source: str | os.PathLike[str] | Mapping[str, Any]) -> Scene:
@@ -273,8 +244,10 @@ class Scene:
 
         text, path, native = self._given(record)
         found: dict[str, Any] = json.loads(_pounding.effects(text, path, native))
-        names = [str(fields["name"]) for one in self.to_dict()["structures"] if isinstance(one, dict) for fields in one.values() if "name" in fields]
-        return pandas.DataFrame([row for key in ("as_given", "reversed") for one in found[key] for row in [effect_row(one, key == "reversed", names)]])
+        made_of = [one for one in self.to_dict()["structures"] if isinstance(one, dict)]
+        buildings = [one["building"]["name"] for one in made_of if "building" in one]
+        both = [(key == "reversed", one) for key in ("as_given", "reversed") for one in found[key]]
+        return pandas.DataFrame([effect_row(one, is_reversed, buildings) for is_reversed, one in both])
 
     def advise(
         self,

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -42,3 +43,32 @@ def frame(table: _pounding.Table) -> pandas.DataFrame:
         return view(found) if isinstance(found, _pounding.Array) else found
 
     return pandas.DataFrame({name: column(name) for name in table.columns}, columns=table.columns)
+
+
+#: Responses of a floor in the answer about effects: name there, name of columns, unit.
+_EFFECTS = (("drift_m", "drift", "m"), ("shear_n", "shear_force", "n"), ("acceleration_m_per_s2", "acceleration", "m_per_s2"))
+
+
+def effect_row(floor: Mapping[str, Any], is_reversed: bool, buildings: Sequence[str]) -> dict[str, Any]:
+    """A floor of the answer about effects as a row of a table."""
+    building, found, level = str(floor["name"]).rpartition(", floor ")
+    is_level = bool(found) and building in buildings and level.isdecimal()
+    row: dict[str, Any] = {
+        "building": building if is_level else floor["name"],
+        "storey": int(level) if is_level else 1,
+        "name": floor["name"],
+        "reversed": is_reversed,
+    }
+
+    def known(name: str, number: Mapping[str, Any] | None) -> None:
+        for end, key in (("", "value"), ("_low", "low"), ("_high", "high")):
+            row[f"{name}{end}"] = None if number is None else number[key]
+
+    for name in ("collisions", "impulse_n_s", "largest_impulse_n_s"):
+        known(name, floor[name])
+    for key, name, unit in _EFFECTS:
+        effect = floor.get(key)
+        row[f"{name}_alone_{unit}"] = effect and effect["alone"]
+        row[f"{name}_{unit}"] = effect and effect["beside"]
+        known(f"{name}_amplification", effect and effect["amplification"])
+    return row

@@ -11,10 +11,10 @@ pub use facts::{method_facts, record_facts};
 pub use scene::damping_facts;
 pub(crate) use scene::{given as damping_given, parameters};
 
-use pounding_scene::{Excess, Implausible, RunResult, Warning};
+use pounding_scene::{Excess, Implausible, Method, RunResult, Warning};
 use pounding_text::{Answer, Grid, Manner, Where, digits};
 
-use crate::assumed::{self, Assumed, SCENE};
+use crate::assumed::{self, Assumed};
 use crate::not_modelled::{self, Found};
 use crate::page::{BEFORE, UNUSUAL, sentence};
 use crate::row;
@@ -40,6 +40,7 @@ impl Report<'_> {
             .say(Where::FirstScreen, "Scene", brief::scene(prepared, review))
             .say_as(Where::Page, manner, "", verdict::lines(&summary, review))
             .say_as(Where::Page, Manner::Box(not_modelled::TITLE), "", self.not_modelled())
+            .table(Where::Page, brief::buildings(prepared, &words))
             .table(Where::FirstScreen, brief::pairs(prepared, &review.outcome))
             .say_as(Where::Everywhere, Manner::Soft, "Force", brief::forces(prepared, &review.outcome))
             .say(Where::FirstScreen, "Apart", brief::apart(prepared, &review.outcome))
@@ -176,11 +177,12 @@ impl Report<'_> {
             Some(_) => "both, as given and reversed",
             None => scene.record.direction(),
         };
+        let record = RecordSummary::of(prepared);
         let first = vec![
-            Assumed::new("Method", format!("{method}{step}"), SCENE),
+            Assumed::unless_default("Method", format!("{method}{step}"), scene.method == Method::EXACT),
             assumed::duration(scene, prepared.duration()),
-            Assumed::new("Directions of shaking", directions, SCENE),
-            Assumed::new("Scaling of the record", facts::processed(&RecordSummary::of(prepared)), SCENE),
+            Assumed::unless_default("Directions of shaking", directions, self.directions.is_some()),
+            Assumed::unless_default("Processing of the record", facts::processed(&record), record.processing.is_empty()),
         ];
         Assumed::table(first, scene, prepared.floors())
     }

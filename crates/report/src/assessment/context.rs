@@ -1,12 +1,15 @@
 //! What surrounds the answer of an assessment on its page: rules in their own form, who hits whom, assumptions, limits of the model.
 
 use pounding_assess::AssessedRun;
-use pounding_text::{Grid, Shown, Table, Unit, short, two_digits};
+use pounding_text::{Grid, Shown, Table, Unit, digits, two_digits};
 
 use super::AssessmentReport;
 use crate::assumed::{Assumed, DEFAULT, SCENE};
 use crate::not_modelled::Found;
 use crate::row::{self, Meeting};
+
+/// Every assessment has it.
+const ASSESS: &str = "every assessment";
 
 impl AssessmentReport {
     /// Every rule for every gap in its own form, beside the time history.
@@ -54,10 +57,10 @@ impl AssessmentReport {
 
     /// What the assessment assumes.
     pub(super) fn assumed(&self) -> Grid {
-        let [from, to] = self.stiffness.map(short);
+        let [from, to] = self.stiffness.map(digits);
         let first = vec![
-            Assumed::new("Method", "exact", "assess"),
-            Assumed::new("Directions of shaking", "both of each record", "assess"),
+            Assumed::new("Method", "exact", ASSESS),
+            Assumed::new("Directions of shaking", "both of each record", ASSESS),
             Assumed::new(
                 "Scaling of the records",
                 self.scaling.to.to_string(),
