@@ -166,11 +166,11 @@ impl AssessmentReport {
     fn worse_accelerations(&self) -> Option<String> {
         let changed = self.changed(|_, one| Some(&one.acceleration), |ratio| ratio > FloorAssessment::WORSE, true)?;
         let one = self.assessment.floors[changed.floor].as_ref()?;
-        let [least, most] = one.acceleration_range.each_ref().map(|of| two_decimals(of.upper()));
-        let of = if least == most {
-            format!("{most} times the acceleration alone")
+        let [low, high] = one.acceleration_range.each_ref().map(|of| two_decimals(of.upper()));
+        let of = if low == high {
+            format!("{high} times the acceleration alone")
         } else {
-            format!("{least} to {most} times the acceleration alone, over the stiffness of contact")
+            format!("{low} to {high} times the acceleration alone, over the stiffness of contact")
         };
         Some(format!(
             "{} by more than 10 %, {}: {of}.",

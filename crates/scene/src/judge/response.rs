@@ -171,9 +171,11 @@ impl Simulation {
 
     fn excess(&self, floor: usize, (kind, found, capacity): Judged) -> Excess {
         let one = &self.floors().all()[floor];
-        let name = match kind {
-            ExcessKind::BaseShear | ExcessKind::MassDamping => self.scene().structures[one.structure].name().into(),
-            _ => one.name.clone(),
+        let is_of_building = matches!(kind, ExcessKind::BaseShear | ExcessKind::MassDamping);
+        let name = if is_of_building {
+            self.scene().structures[one.structure].name().into()
+        } else {
+            one.name.clone()
         };
         Excess {
             kind,

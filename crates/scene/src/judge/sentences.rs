@@ -100,25 +100,27 @@ impl Excess {
             often => format!("{often} "),
         };
         let farther = short(1e3 * self.found);
-        match self.kind {
-            ExcessKind::LeftOut => format!(
+        if self.kind == ExcessKind::LeftOut {
+            return format!(
                 "not looked at, because `levels` of the contact leaves them out; {often}both neighbours together may move up to {farther} mm \
                  farther than the gap"
-            ),
-            ExcessKind::AtFoot => format!(
+            );
+        }
+        if self.kind == ExcessKind::AtFoot {
+            return format!(
                 "its base slab at the ground faces the foot of its neighbour, where no contact is modelled; {often}it moves up to {farther} mm \
                  farther than the gap"
-            ),
-            kind => format!(
-                "faces columns of its neighbour between floors; {often}both together may move up to {farther} mm{}: a floor that hits a column \
-                 can bring a building down, and is not modelled",
-                if kind == ExcessKind::AtColumn {
-                    " farther than the gap"
-                } else {
-                    ""
-                }
-            ),
+            );
         }
+        let than = if self.kind == ExcessKind::AtColumn {
+            " farther than the gap"
+        } else {
+            ""
+        };
+        format!(
+            "faces columns of its neighbour between floors; {often}both together may move up to {farther} mm{than}: a floor that hits a column \
+             can bring a building down, and is not modelled"
+        )
     }
 }
 

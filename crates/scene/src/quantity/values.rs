@@ -112,25 +112,6 @@ impl RunValues<'_> {
         self.result.last.of(floor).displacement + 0.0
     }
 
-    /// Peak shear force of the lowest storey over the weight of its structure \[–\]; `None` for other storeys.
-    pub(crate) fn base_shear(&self, floor: usize) -> Option<f64> {
-        self.simulation.base_shear(self.result, floor)
-    }
-
-    /// Peak force of the damper of a storey over its yield force \[–\]; `None` for elastic columns, and if it was not recorded.
-    pub(crate) fn damper_force(&self, floor: usize) -> Option<f64> {
-        let yield_force = self.floor(floor).made_of?.columns.yield_force_n?;
-        let forces = self.dampers.get_or_init(|| self.simulation.damper_forces(self.result));
-        Some(forces.get(floor)? / yield_force)
-    }
-
-    /// Damping ratio of the mass term at the secant period \[–\]; `None` for all but the lowest storey of a building.
-    pub(crate) fn mass_damping(&self, floor: usize) -> Option<f64> {
-        let lowest = self.below(floor).is_none();
-        let of = || self.simulation.mass_damping(self.result, self.floor(floor).structure);
-        Some(lowest.then(of)??.ratio)
-    }
-
     /// Collisions of a pair.
     pub(crate) fn pair(&self, pair: usize) -> &PairOutcome {
         &self.pairs[pair]
@@ -140,4 +121,23 @@ impl RunValues<'_> {
     pub(crate) fn opening(&self, pair: usize) -> Option<(f64, f64)> {
         self.result.least_opening(&self.simulation.pairs()[pair], &self.pairs[pair])
     }
+}
+
+/// Peak shear force of the lowest storey over the weight of its structure \[–\]; `None` for other storeys.
+pub(super) fn base_shear(run: &RunValues<'_>, floor: usize) -> Option<f64> {
+    run.simulation.base_shear(run.result, floor)
+}
+
+/// Peak force of the damper of a storey over its yield force \[–\]; `None` for elastic columns, and if it was not recorded.
+pub(super) fn damper_force(run: &RunValues<'_>, floor: usize) -> Option<f64> {
+    let yield_force = run.floor(floor).made_of?.columns.yield_force_n?;
+    let forces = run.dampers.get_or_init(|| run.simulation.damper_forces(run.result));
+    Some(forces.get(floor)? / yield_force)
+}
+
+/// Damping ratio of the mass term at the secant period \[–\]; `None` for all but the lowest storey of a building.
+pub(super) fn mass_damping(run: &RunValues<'_>, floor: usize) -> Option<f64> {
+    let lowest = run.below(floor).is_none();
+    let of = || run.simulation.mass_damping(run.result, run.floor(floor).structure);
+    Some(lowest.then(of)??.ratio)
 }
