@@ -16,6 +16,7 @@ fn flat(text: &str) -> String {
 }
 
 /// Writes a record of a burst of waves of this period \[s\] and peak \[g\].
+#[expect(clippy::disallowed_methods, reason = "a sine in a test")]
 pub(crate) fn burst(work: &Path, name: &str, period: f64, peak: f64) {
     let step = 0.02;
     let sample = |index: u32| {
