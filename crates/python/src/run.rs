@@ -4,7 +4,8 @@ use std::path::PathBuf;
 use std::sync::Arc;
 
 use pounding_report::{
-    BothDirections, HistoryQuantity, PairSummary, Report, Sketch, StructureSummary, Summary, collision_table, history_of, other_direction, run_sentence,
+    BothDirections, HistoryQuantity, PairSummary, Report, Sketch, StructureSummary, Summary, collision_table, history_of, other_direction,
+    run_sentence,
 };
 use pounding_scene::{Error, FloorQuantity, Implausible, PairQuantity, QuantityKind, Review, Scene, Simulation, SimulationOptions};
 use pyo3::exceptions::PyKeyError;

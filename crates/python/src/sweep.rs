@@ -31,7 +31,7 @@ pub(crate) fn sweep(py: Python<'_>, text: &str, path: PathBuf, progress: Option<
     let columns = columns.into_iter().map(|(name, column)| {
         let column = match column {
             SweepColumn::Counts(counts) => Column::Counts(counts.into()),
-            SweepColumn::Flags(flags.into_iter().map(Some).collect()) => Column::Flags(flags.into_iter().map(Some).collect()),
+            SweepColumn::Flags(flags) => Column::Flags(flags.into_iter().map(Some).collect()),
             SweepColumn::Numbers(numbers) => Column::Numbers(numbers.into()),
             SweepColumn::Texts(texts) => Column::Texts(texts),
         };
