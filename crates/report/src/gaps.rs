@@ -118,7 +118,8 @@ pub fn gaps_table<'a>(folder: &OfFolder<'a, GapsUnderMotion>) -> Table<'a, Motio
 }
 
 const LEVELS: &str = "Level: that of the floors that need most and whose displacements the rules take, counted from 1 for the lowest; \
-                      all count at which floors face each other, also those that `levels` of a contact leaves out.";
+                      all count at which floors face each other, also those that `levels` of a contact leaves out. A height is that of a \
+                      floor that faces a column.";
 
 const TRAVELS: &str = "The ground travels along the row (`arrivals_s`): it is in what a gap needs, while the rules know \
                        displacements relative to each structure's own ground alone.";
@@ -131,7 +132,7 @@ const NOTES: &str = "Needs: the largest closing of the gap while every structure
 fn numbers<'a, Of: 'a>(scene: &'a Scene, shown: &[Rule], table: Table<'a, Of>, one: fn(&Of) -> Option<&Separation>) -> Table<'a, Of> {
     let name = move |row: &Of, side: usize| one(row).map(|one| Cell::from(scene.structures[one.left + side].name()));
     let level = move |row: &Of| one(row).map(|one| one.at_level);
-    let faced = move |row: &Of| one(row).map(|one| format!("{}{}", one.at_level, if one.at_column { " col." } else { "" }));
+    let faced = move |row: &Of| one(row).map(faced);
     let table = table
         .column("left", move |row| name(row, 0))
         .column("right", move |row| name(row, 1));
@@ -168,6 +169,14 @@ fn numbers<'a, Of: 'a>(scene: &'a Scene, shown: &[Rule], table: Table<'a, Of>, o
             table.column(rule.key(), width)
         }
     })
+}
+
+/// The level at which floors face each other, or the height of a floor that faces a column \[m\].
+fn faced(one: &Separation) -> String {
+    match one.heights {
+        Some([height, _]) if one.at_column => format!("{} m", digits(height)),
+        _ => one.at_level.to_string(),
+    }
 }
 
 /// Adds the table of one gap and its result.
