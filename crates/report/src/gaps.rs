@@ -148,7 +148,8 @@ pub fn gaps_table<'a>(folder: &OfFolder<'a, GapsUnderMotion>) -> Table<'a, Motio
 }
 
 const LEVELS: &str = "Level: that of the floors that need most and whose displacements the rules take, counted from 1 for the lowest; \
-                      all count at which floors face each other, also those that `levels` of a contact leaves out.";
+                      all count at which floors face each other, also those that `levels` of a contact leaves out. A height is that of a \
+                      floor that faces a column.";
 
 const OTHERS: &str =
     "In a row of three and more a gap as wide stays open if every other gap does, too: a building that is pushed moves farther than alone.";
@@ -164,7 +165,7 @@ const NOTES: &str = "Needs: the largest closing of the gap while every structure
 fn numbers<'a, Of: 'a>(scene: &'a Scene, shown: &[Rule], table: Table<'a, Of>, one: fn(&Of) -> Option<&Separation>) -> Table<'a, Of> {
     let name = move |row: &Of, side: usize| one(row).map(|one| scene.structures[one.left + side].name().to_owned());
     let level = move |row: &Of| one(row).map(|one| one.at_level);
-    let faced = move |row: &Of| one(row).map(|one| format!("{}{}", one.at_level, if one.at_column { " col." } else { "" }));
+    let faced = move |row: &Of| one(row).map(faced);
     let table = table
         .column("left", move |row| name(row, 0))
         .column("right", move |row| name(row, 1));
@@ -201,6 +202,14 @@ fn numbers<'a, Of: 'a>(scene: &'a Scene, shown: &[Rule], table: Table<'a, Of>, o
             table.column(rule.key(), width)
         }
     })
+}
+
+/// The level at which floors face each other, or the height of a floor that faces a column \[m\].
+fn faced(one: &Separation) -> String {
+    match one.heights {
+        Some([height, _]) if one.at_column => format!("{} m", digits(height)),
+        _ => one.at_level.to_string(),
+    }
 }
 
 /// Adds the table of one gap and its result.

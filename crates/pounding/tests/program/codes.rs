@@ -43,7 +43,7 @@ fn issue_storeys_that_do_not_align_get_their_gap() {
     for arguments in &OF_FOLDERS[..2] {
         let said = flat(&pounding(&work, arguments));
         for words in [
-            "11 floors face columns of the neighbour, the first nine, floor 1: a floor that hits a column can bring the building down, and that \
+            "12 floors face columns of the neighbour, the first nine, floor 1: a floor that hits a column can bring the building down, and that \
              contact is not modelled.",
             "mm keep floors from columns",
             "faces columns of its neighbour between floors",

@@ -33,9 +33,14 @@ fn wrong_fields() -> Vec<(&'static str, &'static str, Value)> {
         (
             "another row",
             "/vary/0",
-            json!({"field": "structures[1]", "values": [
-                scene()["structures"][1],
-                {"building": {"name": "b", "period_s": 0.4, "damping": {"ratio": 0.05}, "storeys": [{"mass_kg": 1e5, "repeat": 2}]}},
+            json!({"field": "structures", "values": [
+                scene()["structures"],
+                [
+                    {"sdof": {"name": "a", "mass_kg": 1e5, "period_s": 0.6, "height_m": 3.0, "damping": {"ratio": 0.05}}},
+                    {"building": {"name": "b", "period_s": 0.4, "damping": {"ratio": 0.05}, "storeys": [
+                        {"mass_kg": 1e5, "height_m": 3.0, "repeat": 2}
+                    ]}},
+                ],
             ]}),
         ),
         (

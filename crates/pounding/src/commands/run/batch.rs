@@ -7,7 +7,7 @@ use std::path::Path;
 
 use pounding::assess::{Distribution, Effects, MotionLine};
 use pounding::report::{FILES_OF_RECORDS, OfFolder, SCHEMA_VERSION, Site};
-use pounding::scene::{Error, Scene};
+use pounding::scene::{Error, Floors, Scene};
 use pounding::text::{Answer, Cell, Form, Grid, NONE, Refused, Shown, Table, Where, instant, percent, short, two_decimals};
 
 use super::Arguments;
@@ -31,6 +31,11 @@ pub(super) fn run(args: &Arguments, folder: &Path) -> Result<String, Refused> {
         out.keep(&[super::super::inputs_in(folder), vec![path.clone()]].concat())?;
         out.apart_from(folder)?;
     }
+    let any_record = Scene {
+        duration_s: None,
+        ..scene.clone()
+    };
+    Floors::check(&any_record).map_err(|error| error.in_file(path))?;
     let records = suite::read(folder, &args.declared, &scene)?;
     let ran = suite::lines(&scene, &records, directions, |prepared| {
         let review = prepared.review(!args.model.no_error)?;
