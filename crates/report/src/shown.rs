@@ -14,7 +14,6 @@ pub mod tables {
         Floor::PeakDisplacementM,
         Floor::PeakDisplacementTimeS,
         Floor::PeakShearForceN,
-        Floor::BaseShearRatio,
         Floor::Ductility,
         Floor::TransferredMomentumNS,
     ];

@@ -2,7 +2,7 @@
 
 use std::fmt::{self, Display, Formatter};
 
-use pounding_text::{percent, short};
+use pounding_text::{percent, short, two_digits};
 
 use super::response::{Excess, ExcessKind};
 use crate::Floors;
@@ -61,13 +61,13 @@ impl Excess {
                 percent(found)
             ),
             ExcessKind::BaseShear => format!(
-                "base shear of {} of the weight from columns that never yield in the model, above 0.4: unless the building was designed for \
-                 it, it would yield; give yield_force_n, or shear_capacity_n",
-                short(found)
+                "base shear of {} of the weight, above 0.4, from columns that never yield in the model: they would, unless they were designed \
+                 for it (yield_force_n, shear_capacity_n)",
+                two_digits(found)
             ),
             ExcessKind::DamperForce => format!(
-                "damper force of {} of the yield force, above 10 % (Hall 2006; Charney 2008): strength that no column has, and not in shear; the \
-                 damper does not soften when the columns yield, and a smaller damping ratio is nearer to the building",
+                "damper force of {} of the yield force, above 10 % (Hall 2006; Charney 2008): strength that no column has, and not in shear; a \
+                 smaller damping ratio is nearer to the building",
                 percent(found)
             ),
             ExcessKind::AtColumn | ExcessKind::BesideColumn | ExcessKind::AtFoot | ExcessKind::LeftOut => String::new(),
@@ -87,8 +87,8 @@ impl Excess {
         let largest = ratios.reduce(f64::max)?;
         (largest > BRITTLE && largest <= Self::MOST_DRIFT).then(|| {
             format!(
-                "drifts of up to {} of the storey height are below 2.5 %, the limit of ductile construction, which is assumed: masonry and \
-                 non-ductile frames fail at 0.4 to 1 %; drift_capacity_ratio says what a storey bears",
+                "drifts of up to {} of the storey height are judged by 2.5 %, the limit of ductile construction, which is assumed; masonry and \
+                 non-ductile frames fail at 0.4 to 1 % (drift_capacity_ratio)",
                 percent(largest)
             )
         })
@@ -128,8 +128,7 @@ impl Excess {
 const BRITTLE: f64 = 0.004;
 
 /// The assumption behind general limits of drift.
-const DUCTILE: &str =
-    "Ductile construction is assumed: masonry and non-ductile frames fail at 0.4 to 1 %; drift_capacity_ratio says what the storey bears";
+const DUCTILE: &str = "Ductile construction is assumed; masonry and non-ductile frames fail at 0.4 to 1 % (drift_capacity_ratio)";
 
 /// What gravity does at a stability coefficient θ = P Δ/(V h): of a perfectly plastic storey it leaves 1 − θ of the strength.
 fn gravity(found: f64) -> String {
