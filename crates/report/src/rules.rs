@@ -33,10 +33,13 @@ impl RuledGap<'_> {
     pub(crate) fn by_code(&self, scene: &Scene, code: Rule) -> String {
         let (words, names) = (code.words(), self.names(scene));
         let Some(one) = self.rules.iter().find(|one| one.rule == code) else {
-            return format!(
-                "By {}: no width between {names}, because the rule takes heights: give height_m.",
-                code.cited()
-            );
+            // Beside isolators only the sum of both peaks has a width.
+            let why = if self.rules.iter().all(|one| one.rule == Rule::Abs) {
+                "a rule for joints does not size the moat of a building on isolators"
+            } else {
+                "the rule takes heights: give height_m"
+            };
+            return format!("By {}: no width between {names}, because {why}.", code.cited());
         };
         let n = one.width.sorted().len();
         let mean_from = words.mean_from.filter(|_| self.sample == "event");
@@ -99,6 +102,11 @@ pub(crate) fn notes(scene: &Scene, gaps: &[RuledGap<'_>], shown: &[Rule]) -> Vec
             said.push(format!("Between {}: {words}.", names.join(", between ")));
         }
     }
+    let shown: Vec<Rule> = shown
+        .iter()
+        .filter(|rule| gaps.iter().flat_map(|gap| gap.rules).any(|one| one.rule == **rule))
+        .copied()
+        .collect();
     let narrowed = |rule: &Rule| {
         let mut ruled = gaps.iter().flat_map(|gap| gap.rules);
         let factor = ruled.find(|one| one.rule == *rule)?.narrowed()?;

@@ -42,8 +42,9 @@ impl AssessmentReport {
 
     /// A drift over the storey height and its limit \[–\]; `None` if the height is not known.
     fn of_limit(&self, floor: usize, drift: f64) -> Option<[f64; 2]> {
-        let height = self.floors.all()[floor].made_of?.height_m?;
-        Some([drift / height, Excess::MOST_DRIFT])
+        let made_of = self.floors.all()[floor].made_of?;
+        let limit = made_of.capacities.drift_capacity_ratio.unwrap_or(Excess::MOST_DRIFT);
+        Some([drift / made_of.height_m?, limit])
     }
 
     /// Whether the drift of a storey stays so small that no growth harms it.
@@ -52,9 +53,16 @@ impl AssessmentReport {
         of_limit.is_some_and(|[drift, limit]| drift <= HARMLESS * limit)
     }
 
+    /// Storeys whose drift their columns have to bear: an isolation layer is made to drift.
+    fn columns(&self) -> Vec<(usize, &FloorAssessment)> {
+        let mut floors = self.floors_in_order();
+        floors.retain(|(floor, _)| !self.floors.all()[*floor].is_isolation_layer());
+        floors
+    }
+
     /// The largest drift beside the neighbours, against its limit.
     fn largest_drift(&self) -> Option<String> {
-        let floors = self.floors_in_order();
+        let floors = self.columns();
         let share = |(floor, one): &(usize, &FloorAssessment)| {
             let of_limit = self.of_limit(*floor, one.largest_drift);
             of_limit.map_or((0.0, one.largest_drift), |[drift, limit]| (drift / limit, one.largest_drift))
@@ -79,8 +87,16 @@ impl AssessmentReport {
             format!("; {least} to {most} over the stiffness of contact")
         };
         let within = if drift > limit { "above" } else { "within" };
+        let has_capacity = self.floors.all()[floor]
+            .made_of
+            .is_some_and(|one| one.capacities.drift_capacity_ratio.is_some());
+        let whose = if has_capacity {
+            "that it bears"
+        } else {
+            "that codes allow ductile construction"
+        };
         Some(format!(
-            "Largest drift when they touch: {} of the storey height ({name}{range}), {within} the {} that codes allow; alone {alone}.",
+            "Largest drift when they touch: {} of the storey height ({name}{range}), {within} the {} {whose}; alone {alone}.",
             percent(drift),
             percent(limit),
         ))
@@ -119,7 +135,7 @@ impl AssessmentReport {
         changes: impl Fn(f64) -> bool,
         is_worse: bool,
     ) -> Option<Changed<'f>> {
-        let floors = self.floors_in_order().into_iter();
+        let floors = self.columns().into_iter();
         let ratios = floors.filter_map(|(floor, one)| Some((floor, of(floor, one)?)));
         let mut changed: Vec<_> = ratios.filter(|(_, ratio)| changes(ratio.upper())).collect();
         changed.sort_by(|one, other| other.1.upper().total_cmp(&one.1.upper()));

@@ -95,8 +95,7 @@ impl AssessmentReport {
     }
 
     /// The storeys that get worse by touching, isolation layers left out, with their numbers in the row: first those whose drift or shear
-    /// force grows, then those whose
-    /// acceleration alone grows; the largest growth first.
+    /// force grows, then those whose acceleration alone grows; the largest growth first.
     pub fn worse(&self) -> Vec<(usize, &FloorAssessment)> {
         let floors = self.assessment.floors.iter().enumerate();
         let columns = floors.filter(|(index, _)| !self.floors.all()[*index].is_isolation_layer());

@@ -124,9 +124,9 @@ impl Excess {
         let colon = if self.kind.is_unwatched() { "" } else { ":" };
         let limit = match (self.kind, self.capacity) {
             (ExcessKind::Displacement, _) => ", above 0.3 m".into(),
-            (ExcessKind::Drift, None) => ", above 2.5 % of ductile construction".into(),
+            (ExcessKind::Drift, None) => ", above 2.5 %".into(),
             (ExcessKind::Drift, Some(capacity)) => format!(", above its capacity of {}", percent(capacity)),
-            (ExcessKind::Ductility, _) => ", above 6 of ductile construction".into(),
+            (ExcessKind::Ductility, _) => ", above 6".into(),
             (ExcessKind::Shear, Some(capacity)) => format!(", above its capacity of {} kN", short(1e-3 * capacity)),
             (ExcessKind::MassDamping, _) => ", above 1 %".into(),
             _ => String::new(),

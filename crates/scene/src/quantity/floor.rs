@@ -62,7 +62,7 @@ quantities! {
     };
     #[serde(skip_deserializing)]
     BaseShearRatio("base_shear_ratio", "Peak shear force of the lowest storey over the weight of its structure.") =
-        QuantityEntry::new(&Unit::ONE, "V/W", base_shear);
+        QuantityEntry::new(&Unit::RATIO, "V/W", base_shear);
     #[serde(skip_deserializing)]
     DamperForceRatio("damper_force_ratio", "Peak force of the damper of the storey over its yield force; only of columns that can yield.") =
         QuantityEntry::new(&Unit::PART, "Damper / yield", damper_force);
