@@ -2,7 +2,7 @@
 
 use pounding_contact::{Calibration, ContactLaw, FreePair, LawName};
 use pounding_scene::file::RunBudget;
-use pounding_scene::{Contact, Damping, FileUse, Method, RecordUse, RunResult, Scene, Sdof, Simulation, Source, Structure};
+use pounding_scene::{Contact, Damping, FileUse, Method, Property, RecordUse, RunResult, Scene, Sdof, Simulation, Source, Structure};
 use proptest::prelude::*;
 
 /// Structures with and without optional properties.
@@ -53,7 +53,12 @@ fn law() -> impl Strategy<Value = ContactLaw> {
 /// Gaps that are closed, seldom closed, or never.
 fn contact() -> impl Strategy<Value = Contact> {
     let gap = prop_oneof![Just(0.0), 0.001..0.1_f64, Just(10.0)];
-    (gap, law()).prop_map(|(gap_m, law)| Contact { gap_m, law, levels: None })
+    (gap, law()).prop_map(|(gap_m, law)| Contact {
+        gap_m,
+        law,
+        levels: None,
+        property: Property::default(),
+    })
 }
 
 fn method() -> impl Strategy<Value = Method> {
