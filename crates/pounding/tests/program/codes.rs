@@ -97,7 +97,7 @@ fn issue_floors_that_may_not_be_level_are_asked_for() {
         let place = "structures[1].building.storeys[0].height_m: found none";
         assert!(said.contains(place) && said.contains("floors = \"level\""), "{arguments:?}: {said}");
     }
-    assert_snapshot!(refusal(&work, OF_FOLDERS[1]), @"");
+    assert_snapshot!(refusal(&work, OF_FOLDERS[1]), @r#"error: scene.toml: scene "nine and six": structures[1].building.storeys[0].height_m: found none, so that nothing tells which floors face floors, allowed is the height of every storey of the row; or write floors = "level" in the scene if storeys of one number are at one height. A floor that faces a column can bring a building down"#);
     let told = format!("floors = \"level\"\n{}", counted.trim_start());
     fs::write(work.join("scene.toml"), &told).expect("it can be written");
     for arguments in alone.into_iter().chain(OF_FOLDERS) {

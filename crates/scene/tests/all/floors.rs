@@ -157,7 +157,7 @@ fn issue_floors_that_may_not_be_level_are_asked_for() {
     );
     assert_ne!(unknown, ROW);
     let message = of(&unknown).expect_err("heights decide").to_string();
-    insta::assert_snapshot!(message, @"");
+    insta::assert_snapshot!(message, @r#"structures[1].building.storeys[1].height_m: found none, so that nothing tells which floors face floors, allowed is the height of every storey of the row; or write floors = "level" in the scene if storeys of one number are at one height. A floor that faces a column can bring a building down"#);
     let told = of(&format!("floors = \"level\"\n{}", unknown.trim_start())).expect("it is told");
     assert!(
         (0..1).all(|gap| told.floors().are_level(gap)) && !told.floors().are_level(1),
