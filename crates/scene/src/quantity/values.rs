@@ -5,7 +5,7 @@ use std::sync::OnceLock;
 use pounding_solver::{Peak, StructurePeaks};
 
 use super::{Quantity, QuantityKind};
-use crate::{Floor, PairOutcome, RunResult, Simulation};
+use crate::{Floor, MassDamping, PairOutcome, RunResult, Simulation};
 
 /// A run with its simulation: gives every [`Quantity`].
 #[derive(Debug, Clone)]
@@ -112,23 +112,17 @@ impl RunValues<'_> {
         self.result.last.of(floor).displacement + 0.0
     }
 
-    /// Peak shear force of the lowest storey over the weight of its structure \[–\]; `None` for other storeys.
-    pub(crate) fn base_shear(&self, floor: usize) -> Option<f64> {
-        self.simulation.base_shear(self.result, floor)
-    }
-
-    /// Peak force of the damper of a storey over its yield force \[–\]; `None` for elastic columns, and if it was not recorded.
+    /// Peak force of the damper of a storey \[N\]; `None` if it was not recorded.
     pub(crate) fn damper_force(&self, floor: usize) -> Option<f64> {
-        let yield_force = self.floor(floor).made_of?.columns.yield_force_n?;
         let forces = self.dampers.get_or_init(|| self.simulation.damper_forces(self.result));
-        Some(forces.get(floor)? / yield_force)
+        forces.get(floor).copied()
     }
 
-    /// Damping ratio of the mass term at the secant period \[–\]; `None` for all but the lowest storey of a building.
-    pub(crate) fn mass_damping(&self, floor: usize) -> Option<f64> {
+    /// The mass term of the damping of a building; `None` for all but its lowest storey.
+    pub(crate) fn mass_damping(&self, floor: usize) -> Option<MassDamping> {
         let lowest = self.below(floor).is_none();
         let of = || self.simulation.mass_damping(self.result, self.floor(floor).structure);
-        Some(lowest.then(of)??.ratio)
+        lowest.then(of).flatten()
     }
 
     /// Collisions of a pair.
