@@ -122,14 +122,10 @@ impl Excess {
     /// Describes the response in a few words.
     pub fn brief(&self) -> String {
         let colon = if self.kind.is_unwatched() { "" } else { ":" };
-        let limit = match (self.kind, self.capacity) {
-            (ExcessKind::Displacement, _) => ", above 0.3 m".into(),
-            (ExcessKind::Drift, None) => ", above 2.5 %".into(),
-            (ExcessKind::Drift, Some(capacity)) => format!(", above its capacity of {}", percent(capacity)),
-            (ExcessKind::Ductility, _) => ", above 6".into(),
-            (ExcessKind::Shear, Some(capacity)) => format!(", above its capacity of {} kN", short(1e-3 * capacity)),
-            (ExcessKind::MassDamping, _) => ", above 1 %".into(),
-            _ => String::new(),
+        let limit = match (self.kind.bound(), self.capacity) {
+            (_, Some(capacity)) if self.kind == ExcessKind::Shear => format!(", above its capacity of {} kN", short(1e-3 * capacity)),
+            (_, Some(capacity)) => format!(", above its capacity of {}", percent(capacity)),
+            (bound, None) => bound.into(),
         };
         let brief = self.kind.brief(self.found);
         let often = self.often();
@@ -171,8 +167,8 @@ impl Simulation {
 
     fn excess(&self, floor: usize, (kind, found, capacity): Judged) -> Excess {
         let one = &self.floors().all()[floor];
-        let is_of_building = matches!(kind, ExcessKind::BaseShear | ExcessKind::MassDamping);
-        let name = if is_of_building {
+        let of_structure = [ExcessKind::BaseShear, ExcessKind::MassDamping].contains(&kind);
+        let name = if of_structure {
             self.scene().structures[one.structure].name().into()
         } else {
             one.name.clone()
@@ -284,6 +280,25 @@ impl ExcessKind {
             Self::ResidualDrift => Excess::MOST_RESIDUAL,
             Self::BaseShear => Excess::MOST_BASE_SHEAR,
             Self::DamperForce => Excess::MOST_DAMPER,
+        }
+    }
+
+    /// The general limit behind a value of this kind, in words; empty if the value says enough.
+    fn bound(self) -> &'static str {
+        match self {
+            Self::Displacement => ", above 0.3 m",
+            Self::Drift => ", above 2.5 %",
+            Self::Ductility => ", above 6",
+            Self::MassDamping => ", above 1 %",
+            Self::AtColumn
+            | Self::BesideColumn
+            | Self::AtFoot
+            | Self::LeftOut
+            | Self::Stability
+            | Self::Shear
+            | Self::ResidualDrift
+            | Self::BaseShear
+            | Self::DamperForce => "",
         }
     }
 

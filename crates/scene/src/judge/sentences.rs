@@ -16,30 +16,26 @@ impl Display for Excess {
 impl Excess {
     /// Describes the response in a sentence, with the number of runs that have it.
     fn says(&self) -> String {
-        let found = self.found;
+        if self.kind.is_unwatched() {
+            return self.says_unwatched();
+        }
         let worst = match self.often() {
             often if often.is_empty() => often,
             often => format!("{often}, at worst "),
         };
-        let said = match self.kind {
-            kind if kind.is_unwatched() => return self.says_unwatched(),
+        format!("{worst}{}", self.says_alone())
+    }
+
+    fn says_alone(&self) -> String {
+        let found = self.found;
+        match self.kind {
+            ExcessKind::AtColumn | ExcessKind::BesideColumn | ExcessKind::AtFoot | ExcessKind::LeftOut => String::new(),
             ExcessKind::Displacement => format!(
                 "drift of {} m: more than 2.5 % of any usual storey; give height_m, and look at the scale of the record",
                 short(found)
             ),
             ExcessKind::Stability => gravity(found),
-            ExcessKind::Drift => match self.capacity {
-                Some(capacity) => format!(
-                    "drift of {} of the storey height, above its capacity of {}: columns that lose strength, which the model leaves out, decide",
-                    percent(found),
-                    percent(capacity)
-                ),
-                None => format!(
-                    "drift of {} of the storey height, above 2.5 % (NBCC 2015, 4.1.8.13): columns that lose strength, which the model leaves \
-                     out, decide. {DUCTILE}",
-                    percent(found)
-                ),
-            },
+            ExcessKind::Drift => drift(found, self.capacity),
             ExcessKind::Ductility => format!(
                 "ductility demand of {}, above 6: columns lose strength, which the model leaves out. {DUCTILE}",
                 short(found)
@@ -70,9 +66,7 @@ impl Excess {
                  smaller damping ratio is nearer to the building",
                 percent(found)
             ),
-            ExcessKind::AtColumn | ExcessKind::BesideColumn | ExcessKind::AtFoot | ExcessKind::LeftOut => String::new(),
-        };
-        format!("{worst}{said}")
+        }
     }
 
     /// A sentence about the largest drift ratio that is judged as of ductile construction because its storey has no capacity, from drifts
@@ -129,6 +123,20 @@ const BRITTLE: f64 = 0.004;
 
 /// The assumption behind general limits of drift.
 const DUCTILE: &str = "Ductile construction is assumed; masonry and non-ductile frames fail at 0.4 to 1 % (drift_capacity_ratio)";
+
+fn drift(found: f64, capacity: Option<f64>) -> String {
+    let found = percent(found);
+    match capacity {
+        Some(capacity) => format!(
+            "drift of {found} of the storey height, above its capacity of {}: columns that lose strength, which the model leaves out, decide",
+            percent(capacity)
+        ),
+        None => format!(
+            "drift of {found} of the storey height, above 2.5 % (NBCC 2015, 4.1.8.13): columns that lose strength, which the model leaves out, \
+             decide. {DUCTILE}"
+        ),
+    }
+}
 
 /// What gravity does at a stability coefficient θ = P Δ/(V h): of a perfectly plastic storey it leaves 1 − θ of the strength.
 fn gravity(found: f64) -> String {

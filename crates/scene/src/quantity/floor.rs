@@ -2,7 +2,6 @@
 
 use pounding_text::Unit;
 
-use super::values::{base_shear, damper_force, mass_damping};
 use super::{QuantityEntry, QuantityKind, quantities};
 use crate::QuantityGroup;
 
@@ -62,13 +61,15 @@ quantities! {
     };
     #[serde(skip_deserializing)]
     BaseShearRatio("base_shear_ratio", "Peak shear force of the lowest storey over the weight of its structure.") =
-        QuantityEntry::new(&Unit::RATIO, "V/W", base_shear);
+        QuantityEntry::new(&Unit::RATIO, "V/W", |run, floor| run.simulation.base_shear(run.result, floor));
     #[serde(skip_deserializing)]
     DamperForceRatio("damper_force_ratio", "Peak force of the damper of the storey over its yield force; only of columns that can yield.") =
-        QuantityEntry::new(&Unit::PART, "Damper / yield", damper_force);
+        QuantityEntry::new(&Unit::PART, "Damper / yield", |run, floor| {
+            Some(run.damper_force(floor)? / run.floor(floor).made_of?.columns.yield_force_n?)
+        });
     #[serde(skip_deserializing)]
     MassDampingRatio("mass_damping_ratio", "Damping ratio of the mass-proportional damping at the period of the secant stiffnesses; of a building, with its lowest storey.") =
-        QuantityEntry::new(&Unit::PART, "Mass damping", mass_damping);
+        QuantityEntry::new(&Unit::PART, "Mass damping", |run, floor| Some(run.mass_damping(floor)?.ratio));
     TransferredMomentumNS("transferred_momentum_n_s", "Sum of the impulses from the neighbours, by magnitude.") = QuantityEntry {
         least: |run, _| run.least_momentum(),
         ..QuantityEntry::new(&Unit::NEWTON_SECOND, "Transferred momentum", |run, floor| Some(run.result.momentum.of(floor)))

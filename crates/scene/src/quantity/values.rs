@@ -5,7 +5,7 @@ use std::sync::OnceLock;
 use pounding_solver::{Peak, StructurePeaks};
 
 use super::{Quantity, QuantityKind};
-use crate::{Floor, PairOutcome, RunResult, Simulation};
+use crate::{Floor, MassDamping, PairOutcome, RunResult, Simulation};
 
 /// A run with its simulation: gives every [`Quantity`].
 #[derive(Debug, Clone)]
@@ -112,6 +112,19 @@ impl RunValues<'_> {
         self.result.last.of(floor).displacement + 0.0
     }
 
+    /// Peak force of the damper of a storey \[N\]; `None` if it was not recorded.
+    pub(crate) fn damper_force(&self, floor: usize) -> Option<f64> {
+        let forces = self.dampers.get_or_init(|| self.simulation.damper_forces(self.result));
+        forces.get(floor).copied()
+    }
+
+    /// The mass term of the damping of a building; `None` for all but its lowest storey.
+    pub(crate) fn mass_damping(&self, floor: usize) -> Option<MassDamping> {
+        let lowest = self.below(floor).is_none();
+        let of = || self.simulation.mass_damping(self.result, self.floor(floor).structure);
+        lowest.then(of).flatten()
+    }
+
     /// Collisions of a pair.
     pub(crate) fn pair(&self, pair: usize) -> &PairOutcome {
         &self.pairs[pair]
@@ -121,23 +134,4 @@ impl RunValues<'_> {
     pub(crate) fn opening(&self, pair: usize) -> Option<(f64, f64)> {
         self.result.least_opening(&self.simulation.pairs()[pair], &self.pairs[pair])
     }
-}
-
-/// Peak shear force of the lowest storey over the weight of its structure \[–\]; `None` for other storeys.
-pub(super) fn base_shear(run: &RunValues<'_>, floor: usize) -> Option<f64> {
-    run.simulation.base_shear(run.result, floor)
-}
-
-/// Peak force of the damper of a storey over its yield force \[–\]; `None` for elastic columns, and if it was not recorded.
-pub(super) fn damper_force(run: &RunValues<'_>, floor: usize) -> Option<f64> {
-    let yield_force = run.floor(floor).made_of?.columns.yield_force_n?;
-    let forces = run.dampers.get_or_init(|| run.simulation.damper_forces(run.result));
-    Some(forces.get(floor)? / yield_force)
-}
-
-/// Damping ratio of the mass term at the secant period \[–\]; `None` for all but the lowest storey of a building.
-pub(super) fn mass_damping(run: &RunValues<'_>, floor: usize) -> Option<f64> {
-    let lowest = run.below(floor).is_none();
-    let of = || run.simulation.mass_damping(run.result, run.floor(floor).structure);
-    Some(lowest.then(of)??.ratio)
 }
