@@ -82,7 +82,7 @@ pub enum CellKind {
 
 /// A value that fills a cell.
 pub trait CellValue: Into<Cell> {
-    /// The kind of such values. A ready [`Cell`] counts as a number: most are numbers in a format of their own.
+    /// The kind of such values. A ready [`Cell`] counts as a number, which it mostly is.
     const KIND: CellKind;
 }
 

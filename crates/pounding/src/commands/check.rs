@@ -335,7 +335,7 @@ impl ExpectedPair<'_> {
         Cell::exact(self.touch.ok().and_then(|limit| number(limit.free.as_ref()?)))
     }
 
-    /// What people read of the free collision; an empty text for a pair that does not touch.
+    /// A text about the free collision; empty for a pair that does not touch.
     fn free(&self, text: impl Fn(&FreeLimit) -> Option<String>) -> Shown {
         match self.touch {
             Ok(limit) => limit.free.as_ref().and_then(text).into(),

@@ -270,7 +270,12 @@ fn of_pair(runs: &[ComparedRun], place: ComparedPlace, heading: &str) -> Vec<Com
         number(runs, quantity, |run| run.shown().value(quantity, index(run)?))
     });
     let law = row("  law", runs, |run| {
-        index(run).map_or(String::from(NONE), |index| run.prepared.pairs()[index].law.name().into())
+        match index(run).map(|index| &run.prepared.pairs()[index].law) {
+            None => NONE.into(),
+            Some(law) if law.is_compliant() => law.name().replace('_', " "),
+            // A cell has no room for the name of the only impulsive law.
+            Some(_) => String::from("impulsive"),
+        }
     });
     [name, law].into_iter().chain(rows).collect()
 }
