@@ -70,6 +70,95 @@ const LITERATURE: RuleWords = RuleWords {
     least_events: 1,
 };
 
+/// The words of every rule, in the order of [`Rule::ALL`].
+const WORDS: [RuleWords; Rule::COUNT] = [
+    LITERATURE,
+    RuleWords {
+        name: "SRSS",
+        edition: "SRSS",
+        key: "srss_m",
+        says: "the root of the sum of squares",
+        ..LITERATURE
+    },
+    RuleWords {
+        name: "DDC",
+        edition: "DDC (Jeng, Kasai and Maison 1992)",
+        key: "ddc_m",
+        says: "SRSS less the correlation of elastic periods and damping",
+        ..LITERATURE
+    },
+    RuleWords {
+        name: "EN 1998-1",
+        edition: "EN 1998-1:2004",
+        clause: Some("4.4.2.7"),
+        code: Some("en-1998-1"),
+        key: "eurocode_8_m",
+        says: "SRSS on one property, the sum across a property line; 0.7 of it for level floors",
+        when_level: 0.7,
+        mean_from: Some(7),
+        least_events: 3,
+    },
+    RuleWords {
+        name: "ASCE 7-16",
+        edition: "ASCE/SEI 7-16",
+        clause: Some("12.12.3"),
+        code: Some("asce-7-16"),
+        key: "asce_7_m",
+        says: "SRSS on one property, the sum across a property line",
+        mean_from: Some(11),
+        least_events: 11,
+        ..LITERATURE
+    },
+    RuleWords {
+        name: "NTC 2018",
+        edition: "NTC 2018",
+        clause: Some("7.2.1"),
+        code: Some("ntc-2018"),
+        key: "ntc_2018_m",
+        says: "the sum; at least h/100 times a_g S/(0.5 g), with the record's peak ground acceleration for a_g S",
+        mean_from: Some(7),
+        least_events: 3,
+        ..LITERATURE
+    },
+    RuleWords {
+        name: "IS 1893",
+        edition: "IS 1893 (Part 1):2016",
+        clause: Some("clause not seen"),
+        key: "is_1893_m",
+        says: "the sum; half of it for level floors, which could not be confirmed",
+        when_level: 0.5,
+        ..LITERATURE
+    },
+    RuleWords {
+        name: "TBDY 2018",
+        edition: "TBDY 2018",
+        clause: Some("4.9.3"),
+        code: Some("tbdy-2018"),
+        key: "tbdy_2018_m",
+        says: "half of SRSS, a quarter for level floors; at least 30 mm, and 10 mm more for every 3 m above 6 m",
+        when_level: 0.5,
+        ..LITERATURE
+    },
+    RuleWords {
+        name: "E.030",
+        edition: "E.030 (2018)",
+        clause: Some("art. 33"),
+        code: Some("e-030"),
+        key: "e_030_2018_m",
+        says: "two thirds of the sum; at least 30 mm and 0.006 of the height",
+        ..LITERATURE
+    },
+    RuleWords {
+        name: "GB 50011",
+        edition: "GB 50011-2010",
+        clause: Some("6.1.4"),
+        code: Some("gb-50011"),
+        key: "gb_50011_m",
+        says: "by height alone, of concrete frames at intensity 8: 100 mm up to 15 m, and 20 mm more for every 3 m above",
+        ..LITERATURE
+    },
+];
+
 impl Rule {
     /// Rules of the literature and of widely used codes that need no heights.
     pub const COMMON: [Self; 5] = [Self::Abs, Self::Srss, Self::Ddc, Self::Eurocode8, Self::Asce7];
@@ -89,94 +178,8 @@ impl Rule {
     ];
 
     /// The words of the rule.
-    pub const fn words(self) -> RuleWords {
-        match self {
-            Self::Abs => LITERATURE,
-            Self::Srss => RuleWords {
-                name: "SRSS",
-                edition: "SRSS",
-                key: "srss_m",
-                says: "the root of the sum of squares",
-                ..LITERATURE
-            },
-            Self::Ddc => RuleWords {
-                name: "DDC",
-                edition: "DDC (Jeng, Kasai and Maison 1992)",
-                key: "ddc_m",
-                says: "SRSS less the correlation of elastic periods and damping",
-                ..LITERATURE
-            },
-            Self::Eurocode8 => RuleWords {
-                name: "EN 1998-1",
-                edition: "EN 1998-1:2004",
-                clause: Some("4.4.2.7"),
-                code: Some("en-1998-1"),
-                key: "eurocode_8_m",
-                says: "SRSS on one property, the sum across a property line; 0.7 of it for level floors",
-                when_level: 0.7,
-                mean_from: Some(7),
-                least_events: 3,
-            },
-            Self::Asce7 => RuleWords {
-                name: "ASCE 7-16",
-                edition: "ASCE/SEI 7-16",
-                clause: Some("12.12.3"),
-                code: Some("asce-7-16"),
-                key: "asce_7_m",
-                says: "SRSS on one property, the sum across a property line",
-                mean_from: Some(11),
-                least_events: 11,
-                ..LITERATURE
-            },
-            Self::Ntc2018 => RuleWords {
-                name: "NTC 2018",
-                edition: "NTC 2018",
-                clause: Some("7.2.1"),
-                code: Some("ntc-2018"),
-                key: "ntc_2018_m",
-                says: "the sum; at least h/100 times a_g S/(0.5 g), with the record's peak ground acceleration for a_g S",
-                mean_from: Some(7),
-                least_events: 3,
-                ..LITERATURE
-            },
-            Self::Is1893 => RuleWords {
-                name: "IS 1893",
-                edition: "IS 1893 (Part 1):2016",
-                clause: Some("clause not seen"),
-                key: "is_1893_m",
-                says: "the sum; half of it for level floors, which could not be confirmed",
-                when_level: 0.5,
-                ..LITERATURE
-            },
-            Self::Tbdy2018 => RuleWords {
-                name: "TBDY 2018",
-                edition: "TBDY 2018",
-                clause: Some("4.9.3"),
-                code: Some("tbdy-2018"),
-                key: "tbdy_2018_m",
-                says: "half of SRSS, a quarter for level floors; at least 30 mm, and 10 mm more for every 3 m above 6 m",
-                when_level: 0.5,
-                ..LITERATURE
-            },
-            Self::E030 => RuleWords {
-                name: "E.030",
-                edition: "E.030 (2018)",
-                clause: Some("art. 33"),
-                code: Some("e-030"),
-                key: "e_030_2018_m",
-                says: "two thirds of the sum; at least 30 mm and 0.006 of the height",
-                ..LITERATURE
-            },
-            Self::Gb50011 => RuleWords {
-                name: "GB 50011",
-                edition: "GB 50011-2010",
-                clause: Some("6.1.4"),
-                code: Some("gb-50011"),
-                key: "gb_50011_m",
-                says: "by height alone, of concrete frames at intensity 8: 100 mm up to 15 m, and 20 mm more for every 3 m above",
-                ..LITERATURE
-            },
-        }
+    pub fn words(self) -> RuleWords {
+        WORDS[self as usize]
     }
 
     /// Whether the text of its clause could be read.
@@ -384,6 +387,7 @@ mod tests {
         let words = |rule: &Rule| (rule.words().clause, rule.words().code);
         for rule in &Rule::ALL {
             let (clause, code) = words(rule);
+            assert_eq!(Rule::ALL[*rule as usize], *rule, "the order of the table");
             assert_eq!(code.is_some(), clause.is_some_and(|clause| clause != "clause not seen"), "{rule:?}");
         }
         assert_eq!(Rule::of_code("ntc-2018"), Ok(Rule::Ntc2018));
