@@ -404,6 +404,7 @@ mod tests {
         let words = |rule: &Rule| (rule.words().clause, rule.words().code);
         for rule in &Rule::ALL {
             let (clause, code) = words(rule);
+            assert_eq!(Rule::ALL[*rule as usize], *rule, "the order of the table");
             assert_eq!(code.is_some(), clause.is_some_and(|clause| clause != "clause not seen"), "{rule:?}");
         }
         assert_eq!(Rule::of_code("ntc-2018"), Ok(Rule::Ntc2018));
