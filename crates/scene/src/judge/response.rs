@@ -345,7 +345,7 @@ mod tests {
     /// A structure that starts at a displacement without shaking exceeds a limit, or does not.
     fn excesses(height: Option<f64>, displacement: f64, yields: Option<f64>) -> Vec<(ExcessKind, f64)> {
         let mut structure = serde_json::json!({
-            "name": "one", "mass_kg": 1e5, "stiffness_n_per_m": 1e7, "damping": {"ratio": 0.0},
+            "name": "one", "shear_capacity_n": 1e9, "mass_kg": 1e5, "stiffness_n_per_m": 1e7, "damping": {"ratio": 0.0},
             "initial_displacement_m": displacement,
         });
         if let Some(height) = height {

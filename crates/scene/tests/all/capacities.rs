@@ -125,14 +125,25 @@ fn issue_capacities_replace_the_limits_of_ductile_construction() {
     shop: shear force of 2400 kN, above its capacity of 2000 kN: the storey fails before it does what the model says
     ");
     // With a capacity of drift the ductility is not judged besides.
-    insta::assert_snapshot!(said(", yield_displacement_m = 0.003, drift_capacity_ratio = 0.01"), @"");
+    insta::assert_snapshot!(said(", yield_displacement_m = 0.003, drift_capacity_ratio = 0.01"), @r"
+    shop: stability coefficient P Δ/(V h) = 0.1308, above 0.1 (EN 1998-1:2004, 4.4.2.2): gravity, which the model leaves out, adds to the drift, and leaves 87 % of the strength where the storey yields
+    shop: drift of 0.60 % of the storey height left at the end, above 0.5 % (McCormick et al. 2008): realignment likely; the value depends on the model of yielding
+    ");
     let (simulation, excesses) = judged(&let_go(", shear_capacity_n = 3e6"));
     assert_eq!(excesses, []);
     insta::assert_snapshot!(Excess::says_assumed(simulation.floors(), |_| 0.024).expect("a drift that masonry does not bear"), @"drifts of up to 0.80 % of the storey height are judged by 2.5 %, the limit of ductile construction, which is assumed; masonry and non-ductile frames fail at 0.4 to 1 % (drift_capacity_ratio)");
     assert_eq!(Excess::says_assumed(simulation.floors(), |_| 0.01), None);
     let none = let_go(", drift_capacity_ratio = 0.01").replace("height_m = 3, ", "");
-    insta::assert_snapshot!(read(&none).expect_err("a part of nothing"), @"");
-    insta::assert_snapshot!(read(&let_go(", shear_capacity_n = 0")).expect_err("no capacity"), @"");
+    for (text, said) in [
+        (
+            none,
+            "drift_capacity_ratio: found 0.01, allowed a capacity of a storey with height_m",
+        ),
+        (let_go(", shear_capacity_n = 0"), "shear_capacity_n: found 0, allowed"),
+    ] {
+        let refused = read(&text).expect_err("no capacity").to_string();
+        assert!(refused.contains(said), "{refused}");
+    }
 }
 
 /// An elastic frame with a base shear of 0.55 of its weight had "Warnings none".
