@@ -166,7 +166,7 @@ impl AssessmentReport {
     fn worse_accelerations(&self) -> Option<String> {
         let changed = self.changed(|_, one| Some(&one.acceleration), |ratio| ratio > FloorAssessment::WORSE, true)?;
         let one = self.assessment.floors[changed.floor].as_ref()?;
-        let [least, most] = one.acceleration_range.each_ref().map(|of| two_decimals(of.upper()));
+        let [least, most] = one.acceleration_range.each_ref().map(|of| two_digits(of.upper()));
         let of = if least == most {
             format!("{most} times the acceleration alone")
         } else {
