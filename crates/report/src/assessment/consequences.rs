@@ -157,7 +157,7 @@ impl AssessmentReport {
         Some(format!(
             "{} by more than 10 %, {}: {}.{harmless}",
             counted(count, ["storey drifts more", "storeys drift more"]),
-            most(count, &self.storey_name(floor)),
+            named(count, &self.storey_name(floor)),
             self.times(ratio)
         ))
     }
@@ -175,7 +175,7 @@ impl AssessmentReport {
         Some(format!(
             "{} by more than 10 %, {}: {of}.",
             counted(changed.count, ["floor shakes harder", "floors shake harder"]),
-            most(changed.count, &self.floor_name(changed.floor))
+            named(changed.count, &self.floor_name(changed.floor))
         ))
     }
 
@@ -185,7 +185,7 @@ impl AssessmentReport {
         Some(format!(
             "{} by more than 10 %, {}: {} times as far as alone.",
             counted(count, ["storey drifts less", "storeys drift less"]),
-            most(count, &self.storey_name(floor)),
+            named(count, &self.storey_name(floor)),
             two_decimals(ratio.upper())
         ))
     }
@@ -207,7 +207,7 @@ impl AssessmentReport {
 }
 
 /// Names the one that is meant, or the one of several that changes most.
-fn most(count: usize, name: &str) -> String {
+fn named(count: usize, name: &str) -> String {
     let most = if count == 1 { "" } else { "most " };
     format!("{most}{name}")
 }
