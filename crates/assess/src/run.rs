@@ -73,12 +73,12 @@ impl AssessedRun {
         let exact = simulation.exact()?;
         let reversed = simulation.scene().record.reversed;
         let of_this;
-        let alone = match alone.filter(|alone| alone.separations(reversed).is_some()) {
-            Some(known) => known,
-            None => {
-                of_this = Alone::of(simulation)?;
-                &of_this
-            }
+        let known = alone.filter(|alone| alone.separations(reversed).is_some());
+        let alone = if let Some(known) = known {
+            known
+        } else {
+            of_this = Alone::of(simulation)?;
+            &of_this
         };
         let before = &alone.floors;
         let separations = alone.separations(reversed).unwrap_or_default().to_vec();

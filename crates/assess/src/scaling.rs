@@ -119,6 +119,7 @@ impl Scaling {
     ///
     /// Motions that need a factor above `most` leave the suite. The scaling
     /// stays as it is if the raise would be more than [`Self::MOST_RAISED`].
+    #[must_use]
     pub fn raised(&self, scene: &Scene, suite: &mut Suite, most: Option<f64>) -> Self {
         if self.target().is_none() && most.is_none() {
             return self.clone();

@@ -277,5 +277,8 @@ fn issue_the_impulse_of_a_push_is_called_a_push() {
     "#;
     let work = workplace("safe_push", push);
     let said = flat(&pounding(&work, &["run", "scene.toml", "--no-error"]).stdout);
-    assert!(said.contains("the largest impulse is that of a push of 0.4218 s, no blow"), "{said}");
+    assert!(
+        said.contains("the largest impulse is that of a push of 0.4218 s, no blow"),
+        "{said}"
+    );
 }
