@@ -242,9 +242,10 @@ impl Arguments {
             BumperAsked::Stiffness(stiffness) => asked.bumpers(lines, Some(stiffness)).map_err(message)?,
         };
         let animation = self.out.as_ref().and_then(|_| asked.animation(lines));
-        let tried: &[f64] = match self.bumper {
-            BumperAsked::Proposed if !bumpers.is_empty() => &Bumper::TRIED,
-            _ => &[1.0],
+        let tried: &[f64] = if self.bumper == BumperAsked::Proposed && !bumpers.is_empty() {
+            &Bumper::TRIED
+        } else {
+            &[1.0]
         };
         let mut report = None;
         for factor in tried {
