@@ -74,7 +74,8 @@ impl AssessedRun {
         let exact = simulation.exact()?;
         let reversed = simulation.scene().record.reversed;
         let of_this;
-        let alone = if let Some(known) = alone.filter(|alone| alone.separations(reversed).is_some()) {
+        let known = alone.filter(|alone| alone.separations(reversed).is_some());
+        let alone = if let Some(known) = known {
             known
         } else {
             of_this = Alone::of(simulation)?;

@@ -247,8 +247,11 @@ impl Arguments {
             BumperAsked::Stiffness(stiffness) => asked.bumpers(lines, Some(stiffness)).map_err(message)?,
         };
         let animation = self.out.as_ref().and_then(|_| asked.animation(lines));
-        let is_proposed = matches!(self.bumper, BumperAsked::Proposed) && !bumpers.is_empty();
-        let tried: &[f64] = if is_proposed { &Bumper::TRIED } else { &[1.0] };
+        let tried: &[f64] = if self.bumper == BumperAsked::Proposed && !bumpers.is_empty() {
+            &Bumper::TRIED
+        } else {
+            &[1.0]
+        };
         let mut report = None;
         for factor in tried {
             let bumpers: Vec<Bumper> = bumpers.iter().map(|one| one.stiffened(*factor)).collect();

@@ -119,11 +119,11 @@ fn limit_a_soft_bumper_in_a_wide_gap_takes_the_force() {
     let work = workplace("assess_bumper", &wide);
     let all = found(&work, &["--scale", "pga=0.5g", "--bumper", "k=20MN/m"]);
     let bumper = &all["bumper"];
-    let largest = |of: &Value| of["largest"].as_f64().expect("a ratio");
-    assert!(largest(&bumper["force_with_over_without"]) < 0.7, "{bumper}");
+    let median = |of: &Value| of["median"].as_f64().expect("a ratio");
+    assert!(median(&bumper["force_with_over_without"]) < 0.7, "{bumper}");
     let mut floors = bumper["floors"].as_array().expect("floors").iter();
     assert!(
-        floors.any(|floor| largest(&floor["acceleration_with_over_without"]) < 1.0),
+        floors.any(|floor| median(&floor["acceleration_with_over_without"]) < 0.7),
         "{bumper}"
     );
     for one in bumper["bumpers"].as_array().expect("bumpers") {

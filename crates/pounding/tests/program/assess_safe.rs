@@ -266,3 +266,20 @@ fn issue_a_residual_below_what_is_measurable_is_none() {
     assert_eq!(row.split_whitespace().nth(1), Some("0"), "{said}");
     assert!(annex.count() > 0);
 }
+
+/// The largest impulse of a headline was that of a push of 0.40 s, which is no blow.
+#[test]
+fn issue_the_impulse_of_a_push_is_called_a_push() {
+    let push = r#"
+        name = "push"
+        record.generated.half_sine = { amplitude_m_per_s2 = -4.0, duration_s = 0.5, time_step_s = 0.01 }
+        structures = [{ sdof = { name = "tower", mass_kg = 1e5, period_s = 1.0, damping.ratio = 0.05 } }, { wall = {} }]
+        contacts = [{ gap_m = 0.02, law.linear_spring.impact_stiffness_n_per_m = 4e6 }]
+    "#;
+    let work = workplace("safe_push", push);
+    let said = flat(&pounding(&work, &["run", "scene.toml", "--no-error"]).stdout);
+    assert!(
+        said.contains("the largest impulse is that of a push of 0.4218 s, no blow"),
+        "{said}"
+    );
+}

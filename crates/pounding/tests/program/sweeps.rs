@@ -69,6 +69,9 @@ fn reference_a_small_sweep() {
     assert_snapshot!(printed(&ended), @r"
     Sweep     4 runs
     Results   sweep.json.csv: 4 rows, none failed
+    Checked   what held a row to mechanics: `ledger`, its own energy and momentum;
+              `beside`, a run side by side with others; `both`, such a run and
+              another one alone
     ");
     let text = String::from_utf8(table(&folder, "sweep.json.csv")).expect("text");
     let header = text.lines().next().unwrap_or_default();
@@ -95,6 +98,9 @@ fn reference_a_sweep_with_an_accuracy() {
               but those of rounding; none were measured. All columns:
               sweep.json.accuracy.csv
     Results   sweep.json.csv: 4 rows, none failed
+    Checked   what held a row to mechanics: `ledger`, its own energy and momentum;
+              `beside`, a run side by side with others; `both`, such a run and
+              another one alone
     ");
 }
 
@@ -121,7 +127,12 @@ fn limit_the_same_bytes_whatever_the_threads_and_shards() {
     let ended = pounding(&folder, &[&shards[..], &["2/3"]].concat());
     assert_snapshot!(printed(&ended));
     let merged = pounding(&folder, &["merge", "shards.csv"]);
-    assert_snapshot!(printed(&merged), @"Results   shards.csv: 2500 rows, none failed");
+    assert_snapshot!(printed(&merged), @r"
+    Results   shards.csv: 2500 rows, none failed
+    Checked   what held a row to mechanics: `ledger`, its own energy and momentum;
+              `beside`, a run side by side with others; `both`, such a run and
+              another one alone
+    ");
     assert!(whole == table(&folder, "shards.csv"), "shards change bytes");
 
     for task in ["5", "6", "7"] {
@@ -275,6 +286,9 @@ fn reference_the_sweep_to_copy() {
     assert_snapshot!(printed(&ended), @r"
     Sweep     448 runs
     Results   gaps.csv: 448 rows, none failed
+    Checked   what held a row to mechanics: `ledger`, its own energy and momentum;
+              `beside`, a run side by side with others; `both`, such a run and
+              another one alone
     ");
 }
 

@@ -61,7 +61,7 @@ fn table(prepared: &Simulation, effects: &Effects, full: bool) -> Grid {
     let responses = [
         ("Drift", &Unit::METRE),
         ("Shear", &Unit::NEWTON),
-        ("Acceleration at this contact stiffness", &Unit::ACCELERATION),
+        ("Acceleration at this stiffness", &Unit::ACCELERATION),
     ];
     let table = responses.into_iter().enumerate().fold(table, |table, (response, (name, unit))| {
         let effect = move |floor: &FloorEffects| floor.responses()[response];

@@ -82,20 +82,20 @@ impl AssessmentReport {
                 BumperHarm::Drift(floor) => format!("the drift of {}", self.storey_name(floor)),
                 BumperHarm::Acceleration(floor) => format!("the acceleration of {}", self.floor_name(floor)),
             };
-            format!("they make {what} up to {} times as large", two_digits(ratio))
+            format!("make {what} up to {} times as large", two_digits(ratio))
         });
         // In this order, since nothing is known of a bumper that is compressed through.
-        let fault = through.map(|through| format!("they are {through}")).or(harm);
+        let fault = through.map(|through| format!("are {through}")).or(harm);
         let unfounded = self.unfounded().filter(|_| self.is_proposed());
         vec![match (unfounded, fault) {
             (Some(why), _) => format!("No bumper is proposed: {why}."),
             (None, Some(fault)) if self.is_proposed() => format!(
-                "No bumper is proposed: of bumpers half as thick as their gap none helps. {} to {} times the softest that stops two free floors \
-                 was tried; of the stiffest ({bumpers}): {fault}.",
+                "No bumper is proposed: half as thick as their gap and {} to {} times as stiff as the softest that stop two free floors, all fail. \
+                 The stiffest ({bumpers}) {fault}.",
                 digits(Bumper::TRIED[0]),
                 digits(Bumper::TRIED[Bumper::TRIED.len() - 1])
             ),
-            (None, Some(fault)) => format!("Bumpers at the given gap ({bumpers}) are no solution: {fault}."),
+            (None, Some(fault)) => format!("Bumpers at the given gap ({bumpers}) are no solution: they {fault}."),
             (None, None) => {
                 let force = effect.force.as_ref();
                 let force = force.map_or_else(String::new, |force| format!("forces by {}, ", both(force)));

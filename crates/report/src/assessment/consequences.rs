@@ -173,7 +173,7 @@ impl AssessmentReport {
         Some(format!(
             "{} by more than 10 %, {}: {}.{harmless}",
             counted(count, ["storey drifts more", "storeys drift more"]),
-            most(count, &self.storey_name(floor)),
+            named(count, &self.storey_name(floor)),
             self.times(ratio)
         ))
     }
@@ -182,7 +182,7 @@ impl AssessmentReport {
     fn worse_accelerations(&self) -> Option<String> {
         let changed = self.changed(|_, one| Some(&one.acceleration), |ratio| ratio > FloorAssessment::WORSE, true)?;
         let one = self.assessment.floors[changed.floor].as_ref()?;
-        let [low, high] = one.acceleration_range.each_ref().map(|of| two_decimals(of.upper()));
+        let [low, high] = one.acceleration_range.each_ref().map(|of| two_digits(of.upper()));
         let of = if low == high {
             format!("{high} times the acceleration alone")
         } else {
@@ -191,7 +191,7 @@ impl AssessmentReport {
         Some(format!(
             "{} by more than 10 %, {}: {of}.",
             counted(changed.count, ["floor shakes harder", "floors shake harder"]),
-            most(changed.count, &self.floor_name(changed.floor))
+            named(changed.count, &self.floor_name(changed.floor))
         ))
     }
 
@@ -201,7 +201,7 @@ impl AssessmentReport {
         Some(format!(
             "{} by more than 10 %, {}: {} times as far as alone.",
             counted(count, ["storey drifts less", "storeys drift less"]),
-            most(count, &self.storey_name(floor)),
+            named(count, &self.storey_name(floor)),
             two_decimals(ratio.upper())
         ))
     }
@@ -223,7 +223,7 @@ impl AssessmentReport {
 }
 
 /// Names the one that is meant, or the one of several that changes most.
-fn most(count: usize, name: &str) -> String {
+fn named(count: usize, name: &str) -> String {
     let most = if count == 1 { "" } else { "most " };
     format!("{most}{name}")
 }

@@ -8,8 +8,8 @@ use pounding::text::{Form, Refused};
 use super::{answer, fact, summed};
 
 /// What the column `checked` says.
-const CHECKED: &str = "what held a row to mechanics: `ledger`, its energy and momentum; `beside`, runs side by side, of which some were run alone, too: \
-                       `both`; empty if nothing did";
+const CHECKED: &str = "what held a row to mechanics: `ledger`, its own energy and momentum; `beside`, a run side by side with others; `both`, \
+                       such a run and another one alone";
 
 use crate::commands::Failure;
 
