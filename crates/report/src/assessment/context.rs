@@ -3,7 +3,7 @@
 use pounding_text::{Grid, Shown, Table, Unit, digits, two_digits};
 
 use super::AssessmentReport;
-use crate::assumed::{Assumed, DEFAULT, SCENE};
+use crate::assumed::{Assumed, SCENE};
 use crate::not_modelled::Found;
 use crate::row::{self, Meeting};
 
@@ -84,9 +84,11 @@ impl AssessmentReport {
                 self.scaling.to.to_string(),
                 if self.scaling.words.is_some() { "option" } else { SCENE },
             ),
-            Assumed::new("Range of the contact stiffness", format!("{from} to {to} times that below"), {
-                if self.stiffness == [0.1, 10.0] { DEFAULT } else { "option" }
-            }),
+            Assumed::new(
+                "Range of the contact stiffness",
+                format!("{from} to {to} times that below"),
+                "option, or its default",
+            ),
         ];
         Assumed::table(first, &self.scene, &self.floors)
     }

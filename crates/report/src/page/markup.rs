@@ -38,14 +38,14 @@ pub(crate) fn escaped(text: &str) -> String {
 /// Sentences as markup: what a terminal shows between backticks stands in the letters of code.
 pub(crate) fn prose(text: &str) -> String {
     let parts: Vec<&str> = text.split('`').collect();
-    if parts.len() % 2 == 0 {
+    if parts.len().is_multiple_of(2) {
         return escaped(text);
     }
     let part = |(index, part): (usize, &&str)| {
-        if index % 2 == 1 {
-            format!("<code>{}</code>", escaped(part))
-        } else {
+        if index.is_multiple_of(2) {
             escaped(part)
+        } else {
+            format!("<code>{}</code>", escaped(part))
         }
     };
     parts.iter().enumerate().map(part).collect()

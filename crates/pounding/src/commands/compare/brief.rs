@@ -144,7 +144,7 @@ fn flatten(value: &Value, path: String, into: &mut BTreeMap<String, String>) {
                 flatten(entry, format!("{path}[*]"), into);
             }
         }
-        value => {
+        value @ (Value::Null | Value::Bool(_) | Value::Number(_) | Value::String(_)) => {
             let text = value.as_f64().map_or_else(|| value.to_string().trim_matches('"').to_owned(), short);
             let known = into.entry(path).or_default();
             let is_new = known.split(", ").all(|one| one != text);
