@@ -40,6 +40,13 @@ pub(crate) struct Arguments {
     /// Do not measure the errors; saves the exact runs.
     #[arg(long)]
     no_error: bool,
+    #[command(flatten)]
+    printed: Printed,
+}
+
+/// How the answer is printed.
+#[derive(Debug, clap::Args)]
+struct Printed {
     /// Print every floor and pair in which the scenes differ.
     #[arg(long, conflicts_with = "json")]
     details: bool,
@@ -68,14 +75,19 @@ impl ComparedRun {
 pub(crate) fn run(args: &Arguments) -> Result<String, Refused> {
     let run = |path: &PathBuf| run_scene(path, !args.no_error).map_err(|error| error.in_file(path));
     let runs: Vec<ComparedRun> = args.scenes.iter().map(run).collect::<Result<_, _>>()?;
-    if args.json {
+    let Printed {
+        details,
+        all,
+        json: is_json,
+    } = args.printed;
+    if is_json {
         let files: Vec<_> = runs.iter().map(|run| run.file.display().to_string()).collect();
         let summaries: Vec<_> = runs.iter().map(|run| Summary::of(&run.prepared, &run.review)).collect();
         let answer = Answer::new().fact("files", files).fact("runs", json!(summaries));
         return Ok(answer.text(Form::Json));
     }
-    let (rows, said) = if args.details || args.all {
-        details(&runs, args.all)
+    let (rows, said) = if details || all {
+        every_row(&runs, all)
     } else {
         brief::rows(&runs)?
     };
@@ -88,7 +100,7 @@ pub(crate) fn run(args: &Arguments) -> Result<String, Refused> {
 }
 
 /// The rows of every floor and pair, and a sentence about those that are alike.
-fn details(runs: &[ComparedRun], all: bool) -> (Vec<ComparedRow>, Vec<String>) {
+fn every_row(runs: &[ComparedRun], all: bool) -> (Vec<ComparedRow>, Vec<String>) {
     let mut rows = of_runs(runs);
     let (structures, pairs) = (places(runs, floor_places), places(runs, pair_places));
     let words = |what: &str, place: &ComparedPlace, all: &[ComparedPlace]| {

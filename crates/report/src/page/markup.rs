@@ -42,10 +42,10 @@ pub(crate) fn prose(text: &str) -> String {
         return escaped(text);
     }
     let part = |(index, part): (usize, &&str)| {
-        if index % 2 == 1 {
-            format!("<code>{}</code>", escaped(part))
-        } else {
+        if index.is_multiple_of(2) {
             escaped(part)
+        } else {
+            format!("<code>{}</code>", escaped(part))
         }
     };
     parts.iter().enumerate().map(part).collect()
