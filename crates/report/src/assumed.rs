@@ -19,7 +19,7 @@ pub(crate) struct Assumed {
 /// The scene says it.
 pub(crate) const SCENE: &str = "scene";
 /// Nobody said it.
-const DEFAULT: &str = "default";
+pub(crate) const DEFAULT: &str = "default";
 
 /// Impact stiffnesses of the literature, which `init` writes into a scene \[N/m\], \[N/m^1.5\]. They were published for one pair of
 /// buildings.

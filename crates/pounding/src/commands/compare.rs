@@ -32,7 +32,6 @@ than that of the first scene, whatever their signs.";
 /// The arguments of `compare`.
 #[derive(Debug, clap::Args)]
 #[command(after_help = EXAMPLES)]
-#[expect(clippy::struct_excessive_bools, reason = "options of the command line")]
 pub(crate) struct Arguments {
     /// The scenes, TOML or JSON files.
     #[arg(value_name = "SCENE", required = true, num_args = 2..)]

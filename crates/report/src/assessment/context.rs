@@ -4,7 +4,7 @@ use pounding_assess::AssessedRun;
 use pounding_text::{Grid, Shown, Table, Unit, digits, two_digits};
 
 use super::AssessmentReport;
-use crate::assumed::{Assumed, SCENE};
+use crate::assumed::{Assumed, DEFAULT, SCENE};
 use crate::not_modelled::Found;
 use crate::row::{self, Meeting};
 
