@@ -83,12 +83,11 @@ fn issue_damping_that_holds_isolators_is_warned_of() {
 fn issue_the_force_of_dampers_is_said() {
     let work = folder("isolators_demo");
     let shown = pounding(&work, &["demo"]);
-    assert_eq!(shown.code, 0, "{}", shown.stderr);
+    assert!(flat(&shown).contains(" V/W "), "{}", shown.stdout);
     let said = flat(&pounding(&work.join("pounding-demo"), &["run", "scene.toml", "--details"]));
     for words in [
         "old building: damper force of 20 % of the yield force, above 10 % (Hall 2006; Charney 2008)",
         "the force of the dampers is not in it",
-        "V/W",
     ] {
         assert!(said.contains(words), "{words}: {said}");
     }
