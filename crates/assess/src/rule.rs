@@ -122,8 +122,8 @@ const WORDS: [RuleWords; Rule::COUNT] = [
         clause: Some("7.2.1"),
         code: Some("ntc-2018"),
         key: "ntc_2018_m",
-        form: "u₁ + u₂, at least h/100 · a_g S/(0.5 g)",
-        says: "the sum; at least h/100 times a_g S/(0.5 g), with the record's peak ground acceleration for a_g S",
+        form: "u₁ + u₂, at least h/100 · min(1, a_g S/(0.5 g))",
+        says: "the sum; at least h/100 times a_g S/(0.5 g), which counts up to 1, with the record's peak ground acceleration for a_g S",
         mean_from: Some(7),
         least_events: 3,
         ..LITERATURE
@@ -254,7 +254,7 @@ impl Rule {
             }
             Self::Ntc2018 => {
                 let [level, _] = separation.heights?;
-                Some(sum.max(0.01 * level * separation.pga_g / 0.5))
+                Some(sum.max(0.01 * level * (separation.pga_g / 0.5).min(1.0)))
             }
             Self::Is1893 => Some(factor * sum),
             Self::Tbdy2018 => {

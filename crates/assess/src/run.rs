@@ -63,6 +63,14 @@ impl AssessedRun {
     /// which meet face to face is some thirty times that of the usual laws.
     pub const STIFFNESS_FACTORS: StiffnessFactors = [0.1, 1.0, 30.0];
 
+    /// Range of the contact stiffness of a scene by default, as factors on its own \[–\]. It ends at [`Self::STIFFNESS_FACTORS`] times the usual
+    /// stiffness, which is that of two slabs, or at the stiffness of the scene if that is more.
+    pub fn stiffness_range(scene: &Scene) -> [f64; 2] {
+        let [from, _, most] = Self::STIFFNESS_FACTORS;
+        let own = scene.contacts.iter().flatten().filter_map(|one| one.law.stiffness_over_usual());
+        [from, own.map(|over| most / over).fold(most, f64::min).max(1.0)]
+    }
+
     /// Runs the row of a simulation alone and beside its neighbours, by the exact method. The record is not scaled again.
     ///
     /// `alone` is the response of the buildings alone to the motion in either direction; `None` if it is not known. The range over the
@@ -141,17 +149,22 @@ impl AssessedRun {
     }
 }
 
-/// Responses above which no result of the model is believed: four times the drift that codes allow, and a tenth of 12 m for a storey of
-/// unknown height. At the stability coefficient gravity takes all of the strength of a storey.
-const MOST_BELIEVED: [(ExcessKind, f64); 3] = [
-    (ExcessKind::Drift, 0.1),
-    (ExcessKind::Displacement, 1.2),
+/// Responses above which no result of the model is believed: twice the drift and the ductility that codes allow, and a twentieth of 12 m for
+/// a storey of unknown height. At the stability coefficient gravity takes all of the strength of a storey.
+const MOST_BELIEVED: [(ExcessKind, f64); 4] = [
+    (ExcessKind::Drift, 0.05),
+    (ExcessKind::Displacement, 0.6),
+    (ExcessKind::Ductility, 12.0),
     (ExcessKind::Stability, 1.0),
 ];
 
 /// Returns the response that is farthest beyond belief: a building with it would hardly stand. `None` if all are believed.
 pub fn beyond_belief<'e>(excesses: impl IntoIterator<Item = &'e Excess>) -> Option<&'e Excess> {
     let share = |one: &Excess| {
+        // A storey that is told to fail fails.
+        if let Some(capacity) = one.capacity {
+            return one.found / capacity;
+        }
         let mut limits = MOST_BELIEVED.iter();
         let limit = limits.find(|(kind, _)| *kind == one.kind);
         limit.map_or(0.0, |(_, most)| one.found / most)

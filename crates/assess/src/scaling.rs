@@ -243,10 +243,8 @@ fn unscaled(record: &RecordUse) -> RecordUse {
 
 /// Shortest and longest period at which records are compared with a spectrum \[s\]; at least one structure of the scene moves.
 fn ends_of(scene: &Scene) -> [f64; 2] {
-    let of_row = scene.structures.iter().filter_map(Structure::period);
-    let (shortest, longest) = of_row.fold((f64::INFINITY, 0.0_f64), |(least, most), period| {
-        (least.min(period), most.max(period))
-    });
+    let shortest = scene.structures.iter().filter_map(Structure::period).fold(f64::INFINITY, f64::min);
+    let longest = scene.structures.iter().filter_map(Structure::longest_period).fold(0.0, f64::max);
     [BETWEEN[0] * shortest, BETWEEN[1] * longest]
 }
 

@@ -55,6 +55,17 @@ impl ContactLaw {
         self
     }
 
+    /// The impact stiffness over the usual one of its kind \[–\] ([`crate::Parameter::usual`]); `None` for an impulsive law.
+    pub fn stiffness_over_usual(mut self) -> Option<f64> {
+        let usual = [crate::parameter::LINEAR, crate::parameter::HERTZ].map(|one| (one.name, one.usual));
+        let parameters = self.parameters().into_iter();
+        let mut over = parameters.filter_map(|(parameter, value)| {
+            let (_, usual) = usual.iter().find(|(name, _)| *name == parameter.name)?;
+            Some(*value / usual)
+        });
+        over.next()
+    }
+
     /// Name in scene files.
     pub const fn name(&self) -> &'static str {
         self.about().names[0].name

@@ -26,7 +26,7 @@ const BOTH: [bool; 2] = [false, true];
 /// Assesses a row under a folder of records, in both directions, by the exact method. `scale` is `scene`, `none` or a `scale_to` table as
 /// JSON. `target` is the name or the file of a spectrum.
 #[pyfunction]
-#[pyo3(signature = (text, path, folder, scale, target=None, stiffness=[0.1, 30.0], code=None, progress=None))]
+#[pyo3(signature = (text, path, folder, scale, target=None, stiffness=None, code=None, progress=None))]
 pub(crate) fn assess(
     py: Python<'_>,
     text: &str,
@@ -34,11 +34,11 @@ pub(crate) fn assess(
     folder: PathBuf,
     scale: &str,
     target: Option<&str>,
-    stiffness: [f64; 2],
+    stiffness: Option<[f64; 2]>,
     code: Option<&str>,
     progress: Option<&Bound<'_, PyAny>>,
 ) -> PyResult<Assessment> {
-    let [from, to] = stiffness;
+    let [from, to] = stiffness.unwrap_or([1.0; 2]);
     if !(from > 0.0 && from <= 1.0 && to >= 1.0 && to.is_finite()) {
         let found = Refused::at("stiffness").found(format!("{from} and {to}"));
         return Err(found.allowed_are("two factors with 1 between them")).or_refused(py);

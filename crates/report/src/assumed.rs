@@ -127,7 +127,7 @@ fn of_contact(scene: &Scene, floors: &Floors, gap: usize, contact: &Contact) -> 
     } else if floors.are_level(gap) {
         ("level, by the heights of the storeys", SCENE)
     } else {
-        ("taken as level, by their numbers from the ground", DEFAULT)
+        ("level, as the scene says", SCENE)
     };
     vec![law.of(&between), Assumed::new("Floors", level, source).of(&between)]
 }

@@ -42,12 +42,9 @@ impl RuledGap<'_> {
             return format!("By {}: no width between {names}, because {why}.", code.cited());
         };
         let n = one.width.sorted().len();
-        let mean_from = words.mean_from.filter(|_| self.sample == "event");
-        let (width, is_mean) = match mean_from {
-            Some(_) => one.asked(),
-            None => (one.width.largest(), false),
-        };
+        let (width, is_mean) = asked(one, self.sample);
         let of = match (is_mean, n) {
+            _ if code == Rule::Gb50011 => "by height alone".into(),
             (true, n) => format!("mean of {n} events"),
             (false, 1) => format!("the only {}", self.sample),
             (false, n) => format!("largest of {n} {}s", self.sample),
@@ -62,7 +59,10 @@ impl RuledGap<'_> {
         });
         let own = self.own.map_or_else(String::new, |own| {
             let are = if own < width { "are not enough" } else { "are enough" };
-            format!(" The given {} mm {are} for the code.", millimetres(own))
+            format!(
+                " If these motions are at its level, the given {} mm {are} for it.",
+                millimetres(own)
+            )
         });
         let more = if width < self.needed {
             format!(" These motions need {} mm at most to keep them apart.", millimetres_up(self.needed))
@@ -74,6 +74,15 @@ impl RuledGap<'_> {
             code.cited(),
             millimetres_up(width)
         )
+    }
+}
+
+/// The width that a code asks for under all samples \[m\], and whether it is their mean; cases beside drawn neighbours have none.
+pub(crate) fn asked(one: &RuleAssessment, sample: &str) -> (f64, bool) {
+    if sample == "event" {
+        one.asked()
+    } else {
+        (one.width.largest(), false)
     }
 }
 

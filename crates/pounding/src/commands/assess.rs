@@ -5,7 +5,7 @@ mod runs;
 
 use std::path::PathBuf;
 
-use pounding::assess::{Bumper, BumperEffect, DesignSpectrum, Rule, Scaling, Suite};
+use pounding::assess::{AssessedRun, Bumper, BumperEffect, DesignSpectrum, Rule, Scaling, Suite};
 use pounding::report::{AssessmentReport, FolderOfMotions, ScalingAsked};
 use pounding::scene::file::ScaleTo;
 use pounding::scene::{Error, Floors, Method, Scene, Structure};
@@ -63,9 +63,10 @@ pub(crate) struct Arguments {
     /// to other earthquakes.
     #[arg(long, value_name = "FACTOR", value_parser = super::positive)]
     max_scale: Option<f64>,
-    /// Range of the stiffness of impacts, as factors on that of the scene.
-    #[arg(long, value_name = "FROM..TO", default_value = "0.1..30", value_parser = factors)]
-    stiffness: [f64; 2],
+    /// Range of the stiffness of impacts, as factors on that of the scene; by default
+    /// 0.1 to the stiffness of two slabs, which is 30 times the usual one.
+    #[arg(long, value_name = "FROM..TO", value_parser = factors)]
+    stiffness: Option<[f64; 2]>,
     /// What a bumper in every gap that closes changes, half as thick as the gap:
     /// k=80MN/m at each floor, or proposed, the softest that the gap has room for
     /// and that makes nothing worse.
@@ -224,7 +225,7 @@ impl Arguments {
         let scaling = self.scaling()?.raised(&known, records, self.max_scale);
         if records.motions.is_empty() {
             let most = digits(self.max_scale.unwrap_or_default());
-            let found = Refused::at("--max-scale").found(format!("{most}, and no record needs so little"));
+            let found = Refused::at("--max-scale").found(format!("{most}, which every record exceeds"));
             let found = found.allowed_is("a larger factor, or a folder with stronger records");
             return Err(found.so("; ", records.said_of_left_out(false).join("; ")));
         }
@@ -233,7 +234,7 @@ impl Arguments {
             scene,
             rows,
             scaling,
-            stiffness: self.stiffness,
+            stiffness: self.stiffness.unwrap_or_else(|| AssessedRun::stiffness_range(scene)),
             records,
         })
     }
@@ -284,7 +285,7 @@ impl Arguments {
             report
                 .asked_of(asked.scene.clone())
                 .with_folder(folder)
-                .with_stiffness(self.stiffness)
+                .with_stiffness(asked.stiffness)
                 .with_code(self.code.or_else(|| asked.scaling.code()))
                 .with_scaling(scaling)
                 .with_bumpers(bumpers, self.bumper.words())

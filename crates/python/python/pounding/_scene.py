@@ -287,7 +287,7 @@ class Scene:
         *,
         scale: str | Mapping[str, Any] = "scene",
         target: str | os.PathLike[str] | None = None,
-        stiffness: tuple[float, float] = (0.1, 30.0),
+        stiffness: tuple[float, float] | None = None,
         code: str | None = None,
         progress: Progress | bool = False,
     ) -> Assessment:

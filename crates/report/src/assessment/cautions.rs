@@ -103,8 +103,16 @@ impl AssessmentReport {
             let per_cent = (100.0 * share).floor();
             format!("the mean spectrum has {per_cent:.0} % of the target")
         }));
+        if self.is_unscaled() {
+            said.push("the records are not scaled to a site".into());
+        }
         let more = "the warnings say more";
         (!said.is_empty()).then(|| format!("Caution: {}; {more}.", said.join("; ")))
+    }
+
+    /// Whether every record shakes the row as strongly as its file says.
+    fn is_unscaled(&self) -> bool {
+        self.motions.iter().all(|one| (one.run.scale - 1.0).abs() <= 0.0)
     }
 
     /// What harms the answer, the worst first.
@@ -123,7 +131,7 @@ impl AssessmentReport {
         if !far.is_empty() {
             said.push(format!(
                 "scaled by less than {} or more than {}: {}; records that need such factors belong to other earthquakes; \
-                 --max-scale {} leaves the strong ones out",
+                 --max-scale {} leaves out those that need more",
                 digits(Implausible::USUAL_FACTORS[0]),
                 digits(Implausible::USUAL_FACTORS[1]),
                 far.join(", "),
@@ -141,7 +149,7 @@ impl AssessmentReport {
                 Distribution::ENOUGH
             ));
         }
-        if self.motions.iter().all(|one| (one.run.scale - 1.0).abs() <= 0.0) {
+        if self.is_unscaled() {
             said.push("the records are not scaled: the answer is one for their earthquakes, not for a site; set one with the options scale and target".into());
         }
         said

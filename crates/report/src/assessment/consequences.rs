@@ -93,7 +93,7 @@ impl AssessmentReport {
         let whose = if has_capacity {
             "that it bears"
         } else {
-            "that codes allow ductile construction"
+            "of NBCC 2015 for ductile buildings"
         };
         Some(format!(
             "Largest drift when they touch: {} of the storey height ({name}{range}), {within} the {} {whose}; alone {alone}.",
@@ -152,10 +152,10 @@ impl AssessmentReport {
         let grows = |ratio: f64| ratio > FloorAssessment::WORSE;
         let all = self.changed(|_, one| Some(&one.drift), grows, true)?;
         let harmful = |floor, one| (!self.is_harmless(floor, one)).then_some(&one.drift);
-        let limit = percent(HARMLESS * Excess::MOST_DRIFT);
+        let limit = format!("{} of their limit", percent(HARMLESS));
         let Some(Changed { count, floor, ratio }) = self.changed(harmful, grows, true) else {
             return Some(format!(
-                "{} below {limit} of the height, which is harmless.",
+                "{} below {limit}, which is harmless.",
                 counted(
                     all.count,
                     [
@@ -167,8 +167,8 @@ impl AssessmentReport {
         };
         let harmless = match all.count - count {
             0 => String::new(),
-            1 => format!(" One other does so, too, but stays below {limit} of its height, which is harmless."),
-            n => format!(" {n} others do so, too, but stay below {limit} of their height, which is harmless."),
+            1 => format!(" One other does so, too, but stays below {limit}, which is harmless."),
+            n => format!(" {n} others do so, too, but stay below {limit}, which is harmless."),
         };
         Some(format!(
             "{} by more than 10 %, {}: {}.{harmless}",

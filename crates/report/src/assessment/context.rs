@@ -67,8 +67,8 @@ impl AssessmentReport {
                 if self.scaling.words.is_some() { "option" } else { SCENE },
             ),
             Assumed::new("Range of the contact stiffness", format!("{from} to {to} times that below"), {
-                let [from, _, to] = AssessedRun::STIFFNESS_FACTORS;
-                let is_usual = self.stiffness.iter().zip([from, to]).all(|(own, usual)| (own - usual).abs() <= 0.0);
+                let usual = AssessedRun::stiffness_range(&self.scene);
+                let is_usual = self.stiffness.iter().zip(usual).all(|(own, usual)| (own - usual).abs() <= 0.0);
                 if is_usual { DEFAULT } else { "option" }
             }),
         ];

@@ -4,7 +4,10 @@ use pounding_assess::{Distribution, GapAssessment, TargetFit};
 use pounding_text::{millimetres, millimetres_up, percent, two_decimals, two_digits};
 
 use super::AssessmentReport;
-use crate::rules::RuledGap;
+use crate::rules::{RuledGap, asked};
+
+/// Largest closing of neighbours that move alike \[m\].
+const ALIKE: f64 = 1e-3;
 
 impl AssessmentReport {
     /// The least part of the target that the mean spectrum has, and its period, if a code asks for more.
@@ -26,9 +29,19 @@ impl AssessmentReport {
         (self.assessment.believed_alone() == 0).then(|| format!("a building would hardly stand even alone under every {}", self.sample()))
     }
 
-    /// The width that is proposed for a gap; `None` if these records do not show which one is enough.
+    /// The width that is proposed for a gap: the largest that is needed, or that of the named code if it asks for more. `None` if these records
+    /// do not show which one is enough, and if the given gap is.
     pub(super) fn proposal(&self, gap: &GapAssessment) -> Option<f64> {
-        self.unfounded().is_none().then(|| gap.proposal())
+        let width = gap.largest().max(self.by_named_code(gap).unwrap_or(0.0));
+        let is_wanting = gap.own.is_none_or(|own| own < width);
+        (is_wanting && width > ALIKE && self.unfounded().is_none()).then(|| gap.built(width))
+    }
+
+    /// The width that the named code asks for \[m\]; `None` if none is named, or if it has no width here.
+    fn by_named_code(&self, gap: &GapAssessment) -> Option<f64> {
+        let code = self.code?;
+        let rule = gap.rules.iter().find(|one| one.rule == code)?;
+        Some(asked(rule, self.sample()).0)
     }
 
     /// "the largest of 4 events".
@@ -86,6 +99,12 @@ impl AssessmentReport {
             return format!("{left} and {right}: {}", self.would_do(gap, "is enough"));
         };
         let width = millimetres(own);
+        if gap.touching == 0 && needed <= ALIKE {
+            return format!(
+                "{left} and {right} touch in none of {runs} runs, because they move alike: the gap closes by less than 1 mm. That rests on \
+                 equal periods and masses; change one of them by a few per cent before {width} mm is called enough."
+            );
+        }
         if gap.touching == 0 && own >= needed {
             let floors = if own < gap.largest() { " for floors that face floors" } else { "" };
             let apart = format!("they touch in none of {runs} runs, and need {} mm at most", millimetres_up(needed));
@@ -159,7 +178,11 @@ impl AssessmentReport {
     /// The proposed width of every gap that is not enough, and the chance that remains; what bumpers do, if they were asked for.
     pub fn proposals(&self) -> Vec<String> {
         let gaps = self.assessment.gaps.iter();
-        let wanting: Vec<&GapAssessment> = gaps.filter(|gap| gap.own.is_none_or(|own| own < gap.largest())).collect();
+        let wants = |gap: &&GapAssessment| {
+            let width = gap.largest().max(self.by_named_code(gap).unwrap_or(0.0));
+            width > ALIKE && gap.own.is_none_or(|own| own < width)
+        };
+        let wanting: Vec<&GapAssessment> = gaps.filter(wants).collect();
         if wanting.is_empty() {
             return self.bumper_says();
         }
@@ -174,7 +197,8 @@ impl AssessmentReport {
     fn proposed(&self, wanting: &[&GapAssessment]) -> String {
         let widths = wanting.iter().map(|gap| {
             let [left, right] = self.gap_names(gap);
-            format!("{} mm between {left} and {right}", millimetres(gap.proposal()))
+            let width = self.proposal(gap).unwrap_or_else(|| gap.proposal());
+            format!("{} mm between {left} and {right}", millimetres(width))
         });
         let widths: Vec<String> = widths.collect();
         let neighbours = self.neighbours().len();
@@ -192,12 +216,24 @@ impl AssessmentReport {
             0 => String::new(),
             n => format!(" beside one of the {n} neighbours that were drawn; others may need more"),
         };
-        format!(
-            "Proposed{together}: {} (the largest needed, rounded up). A further event {like} needs more with a chance of at most 1 in {} for \
-             each gap{beside}.",
-            widths.join(", "),
-            n + 1
-        )
+        let code = self.code.map(|code| code.words().edition);
+        let asks = wanting
+            .iter()
+            .any(|gap| self.by_named_code(gap).is_some_and(|width| width > gap.largest()));
+        let why = match code.filter(|_| asks) {
+            Some(code) => format!("the largest needed, and what {code} asks for, rounded up"),
+            None => "the largest needed, rounded up".into(),
+        };
+        // The events that count are no sample if others were left out because a building would not stand.
+        let chance = if self.assessment.disbelieved_alone > 0 {
+            String::new()
+        } else {
+            format!(
+                " A further event {like} needs more than these with a chance of at most 1 in {} for each gap{beside}.",
+                n + 1
+            )
+        };
+        format!("Proposed{together}: {} ({why}).{chance}", widths.join(", "))
     }
 
     /// How much wider a gap is than the widest needed, if that is less than the standard deviation of the logarithms of the widths. Then

@@ -58,7 +58,8 @@ pub(super) fn figure(report: &AssessmentReport) -> Option<(Figure, String)> {
     let dashed = report.scaling.to.target().map_or("", |_| "; dashed: the target");
     let caption = format!(
         "Spectra for 5 % of damping of the records as they shake the row (grey) and of their mean (blue){dashed}. The axis goes from 0.2 times \
-         the shortest to 2 times the longest first period of the row, where EN 1998-1, 3.2.3.1.2, and ASCE 7 compare them; upright lines mark \
+         the shortest to 2 times the longest first period of the row, where EN 1998-1, 3.2.3.1.2, compares them; ASCE/SEI 7-16, 16.2.3.2, compares \
+         maximum-direction spectra with MCE_R; upright lines mark \
          the first periods of the buildings."
     );
     Some((figure, caption))

@@ -318,10 +318,27 @@ impl Building {
             return None;
         };
         let softer = above.columns.stiffness_n_per_m / lowest.columns.stiffness_n_per_m;
+        let period = self.period_after_yielding(lowest);
+        (softer > ISOLATORS_SOFTER && period >= ISOLATORS_PERIOD).then_some((period, softer))
+    }
+
+    /// The period \[s\] of the rigid building on its isolators by their stiffness after yielding, which bounds the effective one from above;
+    /// `None` without isolators that are told.
+    fn isolated_period(&self) -> Option<f64> {
+        let lowest = self.storeys.first().filter(|one| one.capacities.isolation_layer == Some(true))?;
+        Some(self.period_after_yielding(lowest))
+    }
+
+    fn period_after_yielding(&self, lowest: &Storey) -> f64 {
         let mass: f64 = self.storeys.iter().map(|one| one.mass_kg).sum();
         let after = lowest.columns.hardening_ratio.filter(|ratio| *ratio > 0.0).unwrap_or(1.0);
-        let period = 2.0 * std::f64::consts::PI * (mass / (after * lowest.columns.stiffness_n_per_m)).sqrt();
-        (softer > ISOLATORS_SOFTER && period >= ISOLATORS_PERIOD).then_some((period, softer))
+        2.0 * std::f64::consts::PI * (mass / (after * lowest.columns.stiffness_n_per_m)).sqrt()
+    }
+
+    /// Longest period that counts for spectra \[s\]: the first, or that on isolators that yield.
+    pub(crate) fn longest_period(&self) -> Option<f64> {
+        let first = self.modes().first().map(Mode::period)?;
+        Some(self.isolated_period().map_or(first, |period| period.max(first)))
     }
 
     /// Whether its lowest storey is told to stand for isolators, or looks like them and is not told to be none.

@@ -105,6 +105,15 @@ impl Structure {
         }
     }
 
+    /// Longest period that counts when records are compared with a spectrum \[s\]: the natural period, or that of a rigid building on
+    /// isolators by their stiffness after yielding. `None` for a wall.
+    pub fn longest_period(&self) -> Option<f64> {
+        match self {
+            Self::Sdof(_) | Self::Wall => self.period(),
+            Self::Building(building) => building.longest_period(),
+        }
+    }
+
     /// Natural period \[s\]; for a building that of the first mode, for a wall `None`.
     pub fn period(&self) -> Option<f64> {
         match self {

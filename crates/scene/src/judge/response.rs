@@ -214,17 +214,17 @@ impl Simulation {
         if one.is_isolation_layer() {
             return all;
         }
-        if told.shear_capacity_n.is_none() && !one.can_yield() {
-            all.extend(self.base_shear(result, floor).map(|found| (ExcessKind::BaseShear, found, None)));
+        if told.shear_capacity_n.is_none() && one.ductility(drift).is_none_or(|ductility| ductility < 1.0) {
+            all.extend(
+                self.shear_over_weight(result, floor)
+                    .map(|found| (ExcessKind::BaseShear, found, None)),
+            );
         }
         let Some(height) = made_of.height_m else {
             all.push((ExcessKind::Displacement, drift, None));
             return all;
         };
-        let above = floors.of_structure(one.structure).iter();
-        let above = above.filter(|other| floors.storey_of(**other) >= floors.storey_of(floor));
-        let masses = above.filter_map(|other| floors.all()[*other].made_of).map(|made| made.mass_kg);
-        let weight = self.scene().record.gravity_m_per_s2 * masses.sum::<f64>();
+        let weight = self.weight_above(floor);
         all.push((ExcessKind::Stability, weight * drift / (shear * height), None));
         if one.can_yield() {
             let below = floors.below(floor).map_or(0.0, |below| result.last.of(below).displacement);
@@ -237,13 +237,29 @@ impl Simulation {
     /// Peak shear force of the lowest storey over the weight of its structure \[–\]; `None` for other storeys and for a wall.
     pub(crate) fn base_shear(&self, result: &RunResult, floor: usize) -> Option<f64> {
         let floors = self.floors();
-        if floors.all()[floor].is_wall() || floors.below(floor).is_some() {
-            return None;
-        }
+        let is_base = !floors.all()[floor].is_wall() && floors.below(floor).is_none();
+        is_base.then(|| self.shear_force(result, floor) / self.weight_above(floor))
+    }
+
+    /// Peak shear force over the weight above of the lowest storey that is no isolation layer \[–\]; `None` for other storeys and a wall.
+    fn shear_over_weight(&self, result: &RunResult, floor: usize) -> Option<f64> {
+        let floors = self.floors();
+        let is_lowest = floors.below(floor).is_none_or(|below| floors.all()[below].is_isolation_layer());
+        let judged = is_lowest && !floors.all()[floor].is_wall();
+        judged.then(|| self.shear_force(result, floor) / self.weight_above(floor))
+    }
+
+    fn shear_force(&self, result: &RunResult, floor: usize) -> f64 {
+        result.peaks.of(floor).restoring_force.value.abs()
+    }
+
+    /// Weight of a floor and of those above it \[N\].
+    fn weight_above(&self, floor: usize) -> f64 {
+        let floors = self.floors();
         let own = floors.of_structure(floors.all()[floor].structure).iter();
-        let masses = own.filter_map(|one| floors.all()[*one].made_of).map(|made| made.mass_kg);
-        let weight = self.scene().record.gravity_m_per_s2 * masses.sum::<f64>();
-        Some(result.peaks.of(floor).restoring_force.value.abs() / weight)
+        let above = own.filter(|other| floors.storey_of(**other) >= floors.storey_of(floor));
+        let masses = above.filter_map(|one| floors.all()[*one].made_of).map(|made| made.mass_kg);
+        self.scene().record.gravity_m_per_s2 * masses.sum::<f64>()
     }
 
     /// The force of the damper over the yield force, and the mass term of the lowest storey if the building is on isolators.
@@ -315,7 +331,7 @@ impl ExcessKind {
     /// Whether an answer about gaps depends on it. Stability, residual drift, base shear and dampers beside columns do not count: the first
     /// two are estimates beyond the model, the others change drifts little.
     pub fn is_caution(self) -> bool {
-        self.strains() || self.is_unwatched() || self == Self::MassDamping
+        self.strains() || self.is_unwatched() || self == Self::MassDamping || self == Self::BaseShear
     }
 
     /// Describes a value of this kind in a few words.

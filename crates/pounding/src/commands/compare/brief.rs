@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use pounding::assess::Separation;
 use pounding::report::{Blow, other_direction};
 use pounding::scene::{Error, RunResult};
-use pounding::text::{NONE, short};
+use pounding::text::{NONE, millimetres_up, percent, short, two_digits};
 use serde_json::Value;
 
 use super::ComparedRun;
@@ -70,13 +70,18 @@ pub(super) fn rows(runs: &[ComparedRun]) -> Result<(Vec<ComparedRow>, Vec<String
             })
             .collect(),
     });
-    rows.push(of("largest force [kN]", &|one| one.hardest(|blow| blow.force)));
+    let text = |name: &str, cell: &dyn Fn(&BothWays<'_>) -> Option<String>| ComparedRow {
+        name: name.into(),
+        cells: both.iter().map(|one| cell(one).unwrap_or_else(|| NONE.into()).into()).collect(),
+    };
+    rows.push(text("largest force [kN]", &|one| Some(two_digits(one.hardest(|blow| blow.force)?))));
     rows.push(of("largest impulse [kN·s]", &|one| one.hardest(|blow| Some(blow.impulse))));
     rows.push(ComparedRow {
-        name: "drift over its limit".into(),
+        name: "drift, part of its limit".into(),
         cells: both.iter().map(|one| strain(one).into()).collect(),
     });
-    rows.push(of("gap needed, alone [mm]", &|one| one.needed.map(|width| 1e3 * width)));
+    rows.push(text("gap needed, alone [mm]", &|one| Some(millimetres_up(one.needed?))));
+    rows.push(text("warnings, see run", &|one| Some(one.scene.review.excesses.len().to_string())));
     let mut said = vec!["each number is the larger of both directions of shaking".to_owned()];
     if both.iter().any(|one| one.other.is_none()) {
         said = vec!["a run in the other direction fails; its scene has the numbers of one direction".into()];
@@ -95,7 +100,7 @@ fn strain(both: &BothWays<'_>) -> String {
     let strains = both.runs().filter_map(|run| both.scene.prepared.strain(run));
     let worst = strains.max_by(|one, other| one.0.total_cmp(&other.0));
     worst.map_or(NONE.into(), |(share, worst)| {
-        format!("{} ({})", short(share), worst.kind.brief(worst.found))
+        format!("{} ({})", percent(share), worst.kind.brief(worst.found))
     })
 }
 

@@ -189,13 +189,13 @@ fn check_heights(scene: &Scene, elevations: &[Option<Vec<f64>>], contact: usize,
             );
             let those_that_face = match list(facing) {
                 none if none.is_empty() => none,
-                levels => format!("levels = [{levels}] lets those touch that do, and no others; or "),
+                levels => format!("levels = [{levels}] lets those touch that do, and no others. "),
             };
             let place = scene.floors.map_or_else(|| format!("contacts[{contact}]"), |_| "floors".into());
             let found = Refused::at(place).found(found);
             let found = found.but("; allowed are ", "floors that face floors, up to the lower roof");
             return Err(found.so(": ", those_that_face).and(
-                "change height_m of a storey. A floor that hits columns between floors can bring a building down, and that contact is not \
+                "A floor that hits columns between floors can bring a building down, and that contact is not \
                  modelled; `pounding gap` and `pounding assess` find the width that keeps floors from columns",
             ));
         }
