@@ -272,7 +272,11 @@ impl<'a> SpectrumSettings<'a> {
         let all: Vec<_> = text.split(',').map(setting).collect();
         match all.iter().find(|(field, _)| !known.contains(field)) {
             Some((field, value)) => Err(Refused::at(in_target(field))
-                .found((*value).to_owned())
+                .found(if value.is_empty() {
+                    (*field).to_owned()
+                } else {
+                    (*value).to_owned()
+                })
                 .allowed_are("a_g, ground and type after ec8:, and s_ds, s_d1 and t_l after asce7:")),
             None => Ok(Self(all)),
         }

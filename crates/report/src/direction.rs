@@ -29,6 +29,7 @@ const SAME: f64 = 1e-9;
 /// Those of [`Simulation::run`].
 pub fn other_direction(prepared: &Simulation) -> Result<RunResult, Error> {
     prepared.under(|record| record.scaled(-1.0))?.run_with(Extras {
+        closings: true,
         drift_rates: true,
         ..Extras::default()
     })

@@ -229,12 +229,13 @@ impl Arguments {
             let found = found.allowed_is("a larger factor, or a folder with stronger records");
             return Err(found.so("; ", records.said_of_left_out(false).join("; ")));
         }
+        let stiffness = self.stiffness.unwrap_or_else(|| AssessedRun::stiffness_range(&known));
         Ok(Asked {
-            known,
             scene,
+            known,
             rows,
             scaling,
-            stiffness: self.stiffness.unwrap_or_else(|| AssessedRun::stiffness_range(scene)),
+            stiffness,
             records,
         })
     }

@@ -3,7 +3,9 @@
 use std::path::PathBuf;
 
 use pounding::report::{RecordSummary, damping_facts, method_facts, other_direction_exact, record_facts};
-use pounding::scene::{Columns, ContactLimit, Excess, ExcessKind, FreeLimit, Implausible, MethodLimits, RunResult, Simulation, Structure};
+use pounding::scene::{
+    Columns, ContactLimit, Excess, ExcessKind, Extras, FreeLimit, Implausible, MethodLimits, RunResult, Simulation, Structure,
+};
 use pounding::solver::Opening;
 use pounding::text::{Answer, Cell, Form, Manner, NONE, Refused, Shown, Table, Unit, Where, short};
 use serde_json::{Value, json};
@@ -101,7 +103,13 @@ pub(crate) fn run(args: &Arguments) -> Result<String, Refused> {
 impl<'a> Plan<'a> {
     fn of(prepared: &'a Simulation) -> Self {
         let mut warnings: Vec<String> = prepared.refusal().into_iter().collect();
-        let expected = match prepared.exact().and_then(|exact| exact.run(None)) {
+        // What a warning is about must be recorded.
+        let judged = Extras {
+            closings: true,
+            drift_rates: true,
+            ..Extras::default()
+        };
+        let expected = match prepared.exact().and_then(|exact| exact.run_with(judged)) {
             Ok(outcome) => {
                 let before = prepared.warnings_before(&outcome);
                 warnings.extend(before.iter().map(ToString::to_string));

@@ -158,10 +158,7 @@ impl AssessmentReport {
                 "{} below {limit}, which is harmless.",
                 counted(
                     all.count,
-                    [
-                        "storey drifts more by more than 10 %, but stays",
-                        "storeys drift more by more than 10 %, but stay"
-                    ]
+                    ["storey drifts over 10 % more, but stays", "storeys drift over 10 % more, but stay"]
                 )
             ));
         };

@@ -1,6 +1,8 @@
 //! Peak drift and shear force over the height of the buildings, alone and beside their neighbours, over all runs.
 
-use pounding_assess::{AssessedFloor, Distribution, FloorPeaks};
+use std::collections::BTreeSet;
+
+use pounding_assess::{AssessedFloor, Distribution, FloorPeaks, RunOfCase};
 use pounding_plot::{Curve, CurveKind, Figure, Mark, Shade};
 
 use super::{AssessmentReport, runs_of_cases};
@@ -8,8 +10,8 @@ use crate::figures::profiles::{MOST, of_storeys, over, panels};
 use crate::figures::unit;
 
 pub(super) const CAPTION: &str = "Peak storey drift and shear force over the height of the buildings. Dashed: alone. Lines with marks: beside \
-                                  the neighbours, with the contact of the scene. Blue: the median of the events; orange: what 84 % of them do \
-                                  not exceed, or the largest of fewer than seven events.";
+                                  the neighbours, with the contact of the scene. Blue: the median of the events in which the building touches; orange: \
+                                  what 84 % of them do not exceed, or the largest of fewer than seven.";
 
 /// `None` if no building has several storeys.
 pub(super) fn figure(report: &AssessmentReport) -> Option<Figure> {
@@ -56,7 +58,11 @@ struct Response {
 impl Response {
     fn curves(&self, report: &AssessmentReport, building: usize) -> Vec<Curve> {
         let floors = report.floors.of_structure(building);
-        let cases = runs_of_cases(&report.motions);
+        // The runs that the tables take: those in which something touches the building, or all if nothing ever does.
+        let mut cases = runs_of_cases(&report.motions);
+        if cases.iter().any(|one| one.run.hits(&report.floors, building)) {
+            cases.retain(|one| one.run.hits(&report.floors, building));
+        }
         let line = |side: fn(&AssessedFloor) -> &FloorPeaks, of: fn(&Distribution) -> f64| {
             over(floors, |floor| {
                 let runs = cases.iter().map(|one| (one.case(), &one.run.floors[floor]));
@@ -64,11 +70,8 @@ impl Response {
                 all.map_or(0.0, |all| of(&all))
             })
         };
-        let upper = if report.assessment.cases < Distribution::ENOUGH {
-            "largest"
-        } else {
-            "84 %"
-        };
+        let touching: BTreeSet<_> = cases.iter().map(RunOfCase::case).collect();
+        let upper = if touching.len() < Distribution::ENOUGH { "largest" } else { "84 %" };
         let [alone_upper, beside_upper] = ["alone", "beside"].map(|side| format!("{side}, {upper}"));
         let alone: fn(&AssessedFloor) -> &FloorPeaks = |floor| &floor.alone;
         let beside: fn(&AssessedFloor) -> &FloorPeaks = |floor| &floor.beside;

@@ -238,7 +238,7 @@ impl Simulation {
     pub(crate) fn base_shear(&self, result: &RunResult, floor: usize) -> Option<f64> {
         let floors = self.floors();
         let is_base = !floors.all()[floor].is_wall() && floors.below(floor).is_none();
-        is_base.then(|| self.shear_force(result, floor) / self.weight_above(floor))
+        is_base.then(|| result.peaks.of(floor).restoring_force.value.abs() / self.weight_above(floor))
     }
 
     /// Peak shear force over the weight above of the lowest storey that is no isolation layer \[–\]; `None` for other storeys and a wall.
@@ -246,11 +246,7 @@ impl Simulation {
         let floors = self.floors();
         let is_lowest = floors.below(floor).is_none_or(|below| floors.all()[below].is_isolation_layer());
         let judged = is_lowest && !floors.all()[floor].is_wall();
-        judged.then(|| self.shear_force(result, floor) / self.weight_above(floor))
-    }
-
-    fn shear_force(&self, result: &RunResult, floor: usize) -> f64 {
-        result.peaks.of(floor).restoring_force.value.abs()
+        judged.then(|| result.peaks.of(floor).restoring_force.value.abs() / self.weight_above(floor))
     }
 
     /// Weight of a floor and of those above it \[N\].

@@ -57,8 +57,8 @@ impl Excess {
                 percent(found)
             ),
             ExcessKind::BaseShear => format!(
-                "base shear of {} of the weight, above 0.4, from columns that never yield in the model: they would, unless they were designed \
-                 for it (yield_force_n, shear_capacity_n)",
+                "base shear of {} of the weight, above 0.4, from columns that do not yield in the model; few buildings are that strong \
+                 (yield_force_n, shear_capacity_n)",
                 two_digits(found)
             ),
             ExcessKind::DamperForce => format!(

@@ -82,7 +82,10 @@ pub(super) fn rows(runs: &[ComparedRun]) -> Result<(Vec<ComparedRow>, Vec<String
     });
     rows.push(text("gap needed, alone [mm]", &|one| Some(millimetres_up(one.needed?))));
     rows.push(text("warnings, see run", &|one| Some(one.scene.review.excesses.len().to_string())));
-    let mut said = vec!["each number is the larger of both directions of shaking".to_owned()];
+    let mut said = vec![
+        "each number is the larger of both directions of shaking by the record of the scene; `pounding assess` takes a folder of records"
+            .to_owned(),
+    ];
     if both.iter().any(|one| one.other.is_none()) {
         said = vec!["a run in the other direction fails; its scene has the numbers of one direction".into()];
     }

@@ -103,7 +103,7 @@ impl Floors {
         let all = self.unwatched_in(gap);
         let names: Vec<&str> = all
             .iter()
-            .filter(|one| !one.is_level())
+            .filter(|one| !one.is_level() && !one.is_at_ground())
             .map(|one| self.all[one.floor].name.as_str())
             .collect();
         let first = names.first()?;
