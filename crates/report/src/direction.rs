@@ -190,7 +190,7 @@ fn how_hard(prepared: &Simulation, result: &RunResult, hardest: &Blow) -> String
         // Of impulsive contact a force is that of rest.
         Blow { force: Some(force), .. } if !is_compliant => format!("pressing with up to {} kN{place}", in_kn(force)),
         Blow { force: Some(force), .. } => format!(
-            "with up to {} kN{place} for the assumed contact stiffness, several times more or less with another",
+            "with up to {} kN{place}, several times more or less with another contact stiffness",
             in_kn(force)
         ),
         Blow { speed: Some(speed), .. } => format!("at up to {} m/s{place}", short(speed)),

@@ -100,7 +100,7 @@ impl LeftOutKind {
 
     /// Whether a record that should be used may be missing.
     pub fn hides_a_record(self) -> bool {
-        matches!(self, Self::Unreadable | Self::Refused | Self::Scaled)
+        matches!(self, Self::Unreadable | Self::Refused)
     }
 
     /// Whether it is vertical, by its file or by its name.

@@ -1,7 +1,7 @@
 //! `pounding laws`: every law with its force, formulas, parameters and source.
 
 use pounding::contact::{Exact, LawName, Slab};
-use pounding::text::{Answer, Form, Manner, Refused, Table, Where, digits, short};
+use pounding::text::{Answer, Form, Manner, Refused, Table, Where, short};
 use serde_json::json;
 
 use super::slabs;
@@ -10,7 +10,7 @@ const EXAMPLES: &str = "\
 Examples:
   pounding laws
   pounding laws --json > laws.json
-  pounding laws --slab-area 3 --slab-length 20   # the impact stiffness of two slabs
+  pounding laws --slab-area 3 --slab-length 20   # stiffness of slabs
   pounding certify hertz_damp --restitution 0.65 --masses 75e3 3e6 --speed 0.3";
 
 /// The arguments of `laws`.
@@ -64,7 +64,9 @@ pub(super) fn linear(stiffness: f64) -> String {
 
 /// A number with four digits: nobody knows a section and a length better.
 fn rounded(value: f64) -> String {
-    format!("{value:.3e}").parse().map_or_else(|_| short(value), digits)
+    let text = format!("{value:.3e}");
+    let (mantissa, exponent) = text.split_once('e').unwrap_or((&text, "0"));
+    format!("{}e{exponent}", mantissa.trim_end_matches('0').trim_end_matches('.'))
 }
 
 fn all() -> Answer<'static> {

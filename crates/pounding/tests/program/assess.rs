@@ -332,7 +332,7 @@ fn issue_what_is_left_out_is_said_in_the_answer() {
     fs::write(work.join("records/bad.csv"), "time_s,acceleration_g\n0,x\n").expect("a file");
     let said = assess(&work, &[]).stdout;
     let answer = said.split("Motions").next().expect("an answer");
-    assert!(answer.starts_with("Answer    40 mm is "), "{said}");
+    assert!(answer.starts_with("Answer    Caution: the records are not scaled"), "{said}");
     assert!(answer.contains("1 record of the folder is missing here"), "{said}");
     assert!(said.contains("bad.csv:"), "{said}");
 }

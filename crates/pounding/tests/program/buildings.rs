@@ -102,7 +102,7 @@ fn issue_the_peak_force_has_its_own_time() {
     assert!(first.end_s < time, "not in the first collision: {time}");
     assert!(largest.start_s < time && time < largest.end_s, "{time}");
     assert_eq!(largest.peak_force_time_s, Some(time), "of the largest, too");
-    let force = pounding::text::short(pair.number(PairQuantity::PeakForceN).expect("a force") / 1e3);
+    let force = pounding::text::two_digits(pair.number(PairQuantity::PeakForceN).expect("a force") / 1e3);
     let time = pounding::text::short(time);
     let words = format!("the largest force {force} kN at {time} s");
     assert!(page.contains(&words), "{words}");

@@ -164,7 +164,7 @@ fn issue_all_that_a_sweep_varies_is_doubted() {
 fn issue_enough_is_said_with_its_cautions() {
     let soft = TWO.replace("period_s = 0.9", "period_s = 2.5, height_m = 3");
     let work = workplace("unusual_enough", &soft, false);
-    let scaled = [OF_FOLDERS[0], &["--scale", "pga=0.9g"]].concat();
+    let scaled = [OF_FOLDERS[0], &["--scale", "pga=0.42g"]].concat();
     let ended = pounding(&work, &[&scaled[..], &["--json"]].concat());
     let found: Value = serde_json::from_str(&ended.stdout).expect("JSON");
     let largest = found["gaps"][0]["required_m"]["largest"].as_f64().expect("a width");

@@ -2,7 +2,7 @@
 
 use pounding_assess::{Distribution, FloorAssessment};
 use pounding_scene::Excess;
-use pounding_text::{digits, percent, two_decimals, two_digits};
+use pounding_text::{percent, two_decimals, two_digits};
 
 use super::AssessmentReport;
 
@@ -114,7 +114,7 @@ impl AssessmentReport {
             ));
         };
         let [low, high] = [low, high].map(|of| two_digits(1e-3 * of.largest()));
-        let [from, to] = self.stiffness.map(digits);
+        let [from, to] = self.stiffness.map(two_digits);
         Some(if low == high {
             format!(
                 "Largest force: {high} kN ({left} – {right}), for the assumed contact stiffness alone. Another stiffness gives several times \

@@ -30,11 +30,21 @@ impl AssessmentReport {
     }
 
     /// The width that is proposed for a gap: the largest that is needed, or that of the named code if it asks for more. `None` if these records
-    /// do not show which one is enough, and if the given gap is.
+    /// do not show which one is enough.
     pub(super) fn proposal(&self, gap: &GapAssessment) -> Option<f64> {
-        let width = gap.largest().max(self.by_named_code(gap).unwrap_or(0.0));
-        let is_wanting = gap.own.is_none_or(|own| own < width);
-        (is_wanting && width > ALIKE && self.unfounded().is_none()).then(|| gap.built(width))
+        let width = self.asked_width(gap);
+        (width > ALIKE && self.unfounded().is_none()).then(|| gap.built(width))
+    }
+
+    /// The largest width that is needed, or that of the named code if it asks for more \[m\].
+    fn asked_width(&self, gap: &GapAssessment) -> f64 {
+        gap.largest().max(self.by_named_code(gap).unwrap_or(0.0))
+    }
+
+    /// Whether the scene gives no gap, or a narrower one than is asked for.
+    pub(super) fn is_wanting(&self, gap: &GapAssessment) -> bool {
+        let width = self.asked_width(gap);
+        width > ALIKE && gap.own.is_none_or(|own| own < width)
     }
 
     /// The width that the named code asks for \[m\]; `None` if none is named, or if it has no width here.
@@ -178,11 +188,7 @@ impl AssessmentReport {
     /// The proposed width of every gap that is not enough, and the chance that remains; what bumpers do, if they were asked for.
     pub fn proposals(&self) -> Vec<String> {
         let gaps = self.assessment.gaps.iter();
-        let wants = |gap: &&GapAssessment| {
-            let width = gap.largest().max(self.by_named_code(gap).unwrap_or(0.0));
-            width > ALIKE && gap.own.is_none_or(|own| own < width)
-        };
-        let wanting: Vec<&GapAssessment> = gaps.filter(wants).collect();
+        let wanting: Vec<&GapAssessment> = gaps.filter(|gap| self.is_wanting(gap)).collect();
         if wanting.is_empty() {
             return self.bumper_says();
         }

@@ -75,7 +75,15 @@ impl AssessmentReport {
             })
             .column("required_sorted_m", |gap| json!(gap.required))
             .column("beside_columns_m", |gap| Cell::exact(gap.beside_columns))
-            .number("proposed_m", "Proposed", &Unit::WIDTH, |gap| self.proposal(gap))
+            .both(
+                "proposed_m",
+                ("Proposed", "mm"),
+                |gap| Cell::exact(self.proposal(gap)),
+                |gap| {
+                    let proposed = self.proposal(gap).filter(|_| self.is_wanting(gap));
+                    proposed.map(|width| Unit::WIDTH.text_of(width, 1.0))
+                },
+            )
             .column("rules", |gap| self.rules_of(gap).json())
     }
 

@@ -1,6 +1,6 @@
 //! Responses of a run beyond the range of its model, or beyond the limits of codes.
 
-use pounding_text::{percent, short};
+use pounding_text::{percent, short, two_digits};
 
 use crate::{RunResult, Simulation, Structure};
 
@@ -327,7 +327,7 @@ impl ExcessKind {
     /// Whether an answer about gaps depends on it. Stability, residual drift, base shear and dampers beside columns do not count: the first
     /// two are estimates beyond the model, the others change drifts little.
     pub fn is_caution(self) -> bool {
-        self.strains() || self.is_unwatched() || self == Self::MassDamping || self == Self::BaseShear
+        self.strains() || self.is_unwatched() || self == Self::MassDamping
     }
 
     /// Describes a value of this kind in a few words.
@@ -344,7 +344,7 @@ impl ExcessKind {
             Self::Shear => format!("shear force of {} kN", short(1e-3 * found)),
             Self::MassDamping => format!("dashpots to the ground of {} of critical damping", percent(found)),
             Self::ResidualDrift => format!("{} of drift left", percent(found)),
-            Self::BaseShear => format!("base shear of {} of the weight", short(found)),
+            Self::BaseShear => format!("base shear of {} of the weight", two_digits(found)),
             Self::DamperForce => format!("damper force of {} of the yield force", percent(found)),
         }
     }
