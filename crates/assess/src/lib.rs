@@ -44,6 +44,7 @@ mod design;
 mod distribution;
 mod effects;
 mod peaks;
+mod raise;
 mod rule;
 mod run;
 mod scaling;

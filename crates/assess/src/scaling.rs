@@ -4,13 +4,12 @@ use std::fmt;
 
 use pounding_motion::Record;
 use pounding_scene::file::ScaleTo;
-use pounding_scene::{Error, Implausible, RecordUse, STANDARD_GRAVITY, Scene, Structure, parallel, periods_between, response_spectrum};
+use pounding_scene::{Error, RecordUse, STANDARD_GRAVITY, Scene, Structure, periods_between, response_spectrum};
 use pounding_text::{digits, percent, short};
 
 use crate::design::DesignSpectrum;
 use crate::rule::Rule;
-use crate::suite::{Suite, SuiteMotion};
-use crate::target_fit::TargetFit;
+use crate::suite::SuiteMotion;
 
 /// Target to which records are scaled.
 #[derive(Debug, Clone, PartialEq)]
@@ -111,9 +110,6 @@ impl Scaling {
         }
     }
 
-    /// Largest factor by which records are raised to their target \[–\]. If more is needed, they belong to other earthquakes.
-    pub const MOST_RAISED: f64 = Implausible::USUAL_FACTORS[1];
-
     /// The spectrum to which records are scaled, if there is one.
     pub fn target(&self) -> Option<&DesignSpectrum> {
         match self {
@@ -123,65 +119,10 @@ impl Scaling {
     }
 
     /// Factor on all records after their own \[–\].
-    fn raise(&self) -> f64 {
+    pub(crate) fn raise(&self) -> f64 {
         match self {
             Self::Raised { by, .. } => *by,
             Self::AsScene | Self::Unscaled | Self::To(_) | Self::Target(_) => 1.0,
-        }
-    }
-
-    /// Returns the scaling that raises all motions of a suite, if their mean spectrum has less than [`TargetFit::LEAST_SHARE`] of the target
-    /// somewhere. Scaling each record on average leaves the mean below the target at some periods, and a code does not take such a suite.
-    ///
-    /// Motions that need a factor above `most` leave the suite. The scaling
-    /// stays as it is if the raise would be more than [`Self::MOST_RAISED`].
-    #[must_use]
-    pub fn raised(&self, scene: &Scene, suite: &mut Suite, most: Option<f64>) -> Self {
-        if self.target().is_none() && most.is_none() {
-            return self.clone();
-        }
-        // A motion that cannot be scaled fails in its run, which says why.
-        let found = parallel::each(&suite.motions, |motion| {
-            let (scaled, spectrum) = self.applied(scene, motion).ok()?;
-            let (_, ground) = motion.used_as(&scaled.record, &scene.name).ok()?;
-            Some((ground.scale.abs(), spectrum))
-        });
-        let mut used: Vec<usize> = (0..found.len()).collect();
-        let mut dropped = Vec::new();
-        let raised = loop {
-            let spectra: Vec<&MotionSpectrum> = used.iter().filter_map(|index| found[*index].as_ref()?.1.as_ref()).collect();
-            let raised = self.reaching(scene, &spectra);
-            let factor = |index: usize| found[index].as_ref().map_or(1.0, |(own, _)| own * raised.raise());
-            let (strong, others) = used.iter().partition(|index| most.is_some_and(|most| factor(**index) > most));
-            used = others;
-            let strong: Vec<usize> = strong;
-            if strong.is_empty() {
-                break raised;
-            }
-            dropped.extend(strong.into_iter().map(|index| (index, factor(index))));
-        };
-        suite.leave_out_scaled(&dropped, most.unwrap_or_default());
-        raised
-    }
-
-    /// Returns the scaling that raises motions of these spectra to their target.
-    fn reaching(&self, scene: &Scene, spectra: &[&MotionSpectrum]) -> Self {
-        let fit = self
-            .target()
-            .and_then(|target| Some((target, TargetFit::of(scene, target, spectra)?)));
-        let Some((target, fit)) = fit else {
-            return self.clone();
-        };
-        let (from, _) = fit.least();
-        // Rounded up to a per cent, so that the mean certainly has as much.
-        let by = (100.0 * TargetFit::LEAST_SHARE / from).ceil() / 100.0;
-        if from >= TargetFit::LEAST_SHARE || by > Self::MOST_RAISED || !by.is_finite() {
-            return self.clone();
-        }
-        Self::Raised {
-            target: target.clone(),
-            by,
-            from,
         }
     }
 

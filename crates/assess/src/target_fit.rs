@@ -1,6 +1,6 @@
 //! The mean spectrum of the records that shake a row, compared with the spectrum to which they were scaled.
 
-use pounding_scene::{Scene, Structure};
+use pounding_scene::Scene;
 
 use crate::design::DesignSpectrum;
 use crate::scaling::{BETWEEN, MotionSpectrum, checked_periods};
@@ -27,11 +27,16 @@ impl TargetFit {
     pub fn of(scene: &Scene, target: &DesignSpectrum, spectra: &[&MotionSpectrum]) -> Option<Self> {
         let n = spectra.len() as f64;
         let gravity = scene.record.gravity_m_per_s2;
-        let structures = || scene.structures.iter().filter_map(Structure::period);
+        let structures = || {
+            scene
+                .structures
+                .iter()
+                .filter_map(|one| Some([one.period()?, one.longest_period()?]))
+        };
         let counts = |period: f64| {
             let [from, to] = BETWEEN;
             // Rounding must not lose the ends of the range.
-            structures().any(|own| period > from * own * (1.0 - 1e-9) && period < to * own * (1.0 + 1e-9))
+            structures().any(|[first, last]| period > from * first * (1.0 - 1e-9) && period < to * last * (1.0 + 1e-9))
         };
         let periods = checked_periods(scene, target).into_iter().enumerate();
         let counted: Vec<(usize, f64)> = periods.filter(|(_, period)| counts(*period)).collect();

@@ -53,6 +53,7 @@ pub(crate) fn assess(
             ..given.scene()?.seeking_gaps()
         };
         Floors::check(&scene).map_err(|error| given.in_file(error))?;
+        let range = stiffness.unwrap_or_else(|| AssessedRun::stiffness_range(&scene));
         let mut suite = suite_of(&folder, &scene)?;
         let scaling = scaling.raised(&scene, &mut suite, None);
         let lines = MotionLines::of(
@@ -60,10 +61,10 @@ pub(crate) fn assess(
             &BOTH,
             watched(watch, &|of| watch.step(1, of as u64)),
             |motion| scaling.applied(&scene, motion),
-            |prepared, spectrum| Ok((AssessedRun::of(prepared, None, [from, 1.0, to])?, spectrum.clone())),
+            |prepared, spectrum| Ok((AssessedRun::of(prepared, None, [range[0], 1.0, range[1]])?, spectrum.clone())),
         )?;
         let report = AssessmentReport::of_lines(scene, &suite, &lines.lines)?;
-        let report = report.ok_or("stopped")?.with_stiffness(stiffness);
+        let report = report.ok_or("stopped")?.with_stiffness(range);
         let report = report.with_code(code.or_else(|| scaling.code()));
         let report = report.with_scaling(ScalingAsked {
             to: scaling.clone(),

@@ -1,9 +1,7 @@
 //! What a run or an assessment assumes, in a table: a checking engineer asks for it before the numbers.
 
-use pounding_scene::{Contact, Floors, Scene, Structure};
-use pounding_text::{Grid, Shown, Table, digits, two_digits};
-
-use crate::answer::{damping_given, parameters};
+use pounding_scene::{Contact, Damping, Floors, Scene, Structure};
+use pounding_text::{Grid, Shown, Table, digits, short, two_digits};
 
 /// An assumption.
 #[derive(Debug, Clone, PartialEq)]
@@ -156,4 +154,31 @@ pub(crate) fn duration(scene: &Scene, duration: f64) -> Assumed {
         "default: the record and two of the longest periods"
     };
     Assumed::new("Duration", format!("{} s", digits(duration)), source)
+}
+
+/// How the damping was given, if not as a ratio of one mode.
+pub(crate) fn damping_given(structure: &Structure) -> Option<String> {
+    let (damping, storeys) = match structure {
+        Structure::Sdof(sdof) => (sdof.damping, 1),
+        Structure::Building(building) => (building.damping, building.storeys.len()),
+        Structure::Wall => return None,
+    };
+    let two = |[one, other]: [f64; 2]| format!("{} and {}", digits(one), digits(other));
+    match damping {
+        Damping::Ratio(_) => (storeys > 1).then(|| "in modes 1 and 2".into()),
+        Damping::Rayleigh { alpha_per_s, beta_s } => Some(format!("α = {} /s, β = {} s", digits(alpha_per_s), digits(beta_s))),
+        Damping::TwoFrequencies { frequencies_hz, ratios } => Some(format!("{} at {} Hz", two(ratios), two(frequencies_hz))),
+        Damping::Modes { modes, ratios } => Some(format!("{} in modes {} and {}", two(ratios), modes[0], modes[1])),
+    }
+}
+
+/// The parameters of the law, in the words of a scene.
+pub(crate) fn parameters(contact: &Contact) -> String {
+    let law = serde_json::to_value(contact.law).unwrap_or_default();
+    let parameter = |(name, value): (&String, &serde_json::Value)| {
+        let value = value.as_f64().map_or_else(|| value.to_string(), short);
+        format!("{name} = {value}")
+    };
+    let parameters = law[contact.law.name()].as_object().into_iter().flatten();
+    parameters.map(parameter).collect::<Vec<_>>().join(", ")
 }

@@ -56,7 +56,6 @@ pub use file::{
 pub use ground_motion::{GroundMotion, Origin, SharedMotion, hexadecimal, sha256};
 pub use judge::certificate::{Certificate, CertificateRequest};
 pub use judge::certified::{CertificateFact, CertificateValue, DeliveredBy, DeliveredNumber};
-pub use judge::dampers::MassDamping;
 pub use judge::free_collision::{DeliveredRestitution, FreeCollision};
 pub use judge::implausible::Implausible;
 pub use judge::limits::{ContactLimit, FreeLimit, MethodLimits};
@@ -65,6 +64,7 @@ pub use judge::review::{Errors, Review};
 pub use judge::warning::{Warning, WarningPlace};
 pub use pounding_text::Refused;
 pub use quantity::{FloorQuantity, PairQuantity, Quantity, QuantityEntry, QuantityKind, RunValues};
+pub use simulation::dampers::MassDamping;
 pub use simulation::floors::{Floor, FloorPair, Floors, StoreyProperties, UnwatchedFloor};
 pub use simulation::{
     Advice, AuditedRun, EnergyBalance, Extras, Goal, MethodTrial, PairOutcome, QuantityGroup, RunResult, Simulation, StepSizes,

@@ -9,7 +9,6 @@ mod verdict;
 
 pub use facts::{method_facts, record_facts};
 pub use scene::damping_facts;
-pub(crate) use scene::{given as damping_given, parameters};
 
 use pounding_scene::{Excess, Implausible, Method, RunResult, Warning};
 use pounding_text::{Answer, Grid, Manner, Where, digits};

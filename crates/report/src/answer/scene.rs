@@ -1,7 +1,9 @@
 //! What was modelled: the tables of structures and contacts that a reader checks against drawings.
 
-use pounding_scene::{Columns, Contact, Damping, Floor, RunResult, Scene, Simulation, StoreyProperties, Structure};
+use pounding_scene::{Columns, Floor, RunResult, Scene, Simulation, StoreyProperties, Structure};
 use pounding_text::{Grid, NONE, Shown, Table, Unit, digits, percent, short};
+
+use crate::assumed::{damping_given, parameters};
 
 /// A floor of a structure and its properties; a wall has neither.
 #[derive(Clone, Copy)]
@@ -115,25 +117,9 @@ pub fn damping_facts(prepared: &Simulation, outcome: &RunResult) -> Vec<String> 
                 short(mass.period_s)
             )
         });
-        Some(format!("{}: {}{mass}", structure.name(), given(structure)?))
+        Some(format!("{}: {}{mass}", structure.name(), damping_given(structure)?))
     };
     prepared.scene().structures.iter().enumerate().filter_map(said).collect()
-}
-
-/// How the damping was given, if not as a ratio of one mode.
-pub(crate) fn given(structure: &Structure) -> Option<String> {
-    let (damping, storeys) = match structure {
-        Structure::Sdof(sdof) => (sdof.damping, 1),
-        Structure::Building(building) => (building.damping, building.storeys.len()),
-        Structure::Wall => return None,
-    };
-    let two = |[one, other]: [f64; 2]| format!("{} and {}", digits(one), digits(other));
-    match damping {
-        Damping::Ratio(_) => (storeys > 1).then(|| "in modes 1 and 2".into()),
-        Damping::Rayleigh { alpha_per_s, beta_s } => Some(format!("α = {} /s, β = {} s", digits(alpha_per_s), digits(beta_s))),
-        Damping::TwoFrequencies { frequencies_hz, ratios } => Some(format!("{} at {} Hz", two(ratios), two(frequencies_hz))),
-        Damping::Modes { modes, ratios } => Some(format!("{} in modes {} and {}", two(ratios), modes[0], modes[1])),
-    }
 }
 
 /// A row for each contact.
@@ -154,15 +140,4 @@ pub(super) fn contacts(scene: &Scene) -> Grid {
         .shown("Delivers e", |(_, contact)| contact.law.restitution().map(short))
         .shown("Parameters", |(_, contact)| Shown::from(parameters(contact)).long())
         .grid()
-}
-
-/// The parameters of the law, in the words of a scene.
-pub(crate) fn parameters(contact: &Contact) -> String {
-    let law = serde_json::to_value(contact.law).unwrap_or_default();
-    let parameter = |(name, value): (&String, &serde_json::Value)| {
-        let value = value.as_f64().map_or_else(|| value.to_string(), short);
-        format!("{name} = {value}")
-    };
-    let parameters = law[contact.law.name()].as_object().into_iter().flatten();
-    parameters.map(parameter).collect::<Vec<_>>().join(", ")
 }

@@ -2,7 +2,6 @@
 
 pub(crate) mod certificate;
 pub(crate) mod certified;
-pub(crate) mod dampers;
 pub(crate) mod free_collision;
 pub(crate) mod implausible;
 pub(crate) mod lean;

@@ -1,6 +1,7 @@
 //! From a checked scene to the leanest model, and its run.
 
 mod advice;
+pub(crate) mod dampers;
 pub(crate) mod floors;
 mod model;
 mod pair_outcome;
