@@ -1,6 +1,6 @@
 //! The parts of an answer as markup.
 
-use pounding_text::{Answer, Grid, Manner, Part, Sentences, Shown, Where};
+use pounding_text::{Answer, Grid, Heading, Manner, Part, Sentences, Shown, Where};
 
 use super::markup::{escaped, facts, list, prose, signed};
 use super::{beside, boxed};
@@ -62,8 +62,12 @@ fn sentences(words: &Sentences) -> String {
 
 /// A table under its headings.
 pub(crate) fn table(grid: &Grid) -> String {
-    let headings = grid.headings.iter().map(|heading| format!("<th>{}</th>", prose(&heading.title())));
-    let headings: String = headings.collect();
+    let heading = |(column, heading): (usize, &Heading)| {
+        let is_long = grid.rows.iter().any(|row| row.get(column).is_some_and(|shown| shown.is_long));
+        let class = if is_long { " class=\"text\"" } else { "" };
+        format!("<th{class}>{}</th>", prose(&heading.title()))
+    };
+    let headings: String = grid.headings.iter().enumerate().map(heading).collect();
     let row = |cells: &Vec<Shown>| {
         let cells: String = cells.iter().map(cell).collect();
         format!("<tr>{cells}</tr>\n")
