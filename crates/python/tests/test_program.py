@@ -169,7 +169,7 @@ def test_limit_answers_are_those_of_the_program(program: str) -> None:
     for is_reversed, key in ((False, "as_given"), (True, "reversed")):
         floors = ours[ours["reversed"] == is_reversed]
         assert list(floors["name"]) == [one["name"] for one in theirs[key]]
-        assert list(floors["drift_m"]) == [one["drift_m"]["beside"] for one in theirs[key]]
+        assert list(floors["peak_drift_m"]) == [one["peak_drift_m"]["beside"] for one in theirs[key]]
         assert list(floors["impulse_n_s_high"]) == [one["impulse_n_s"]["high"] for one in theirs[key]]
     theirs = json.loads(asked(program, "advise", path, "--accuracy", "1%", "--quantity", "momentum", "--json"))
     assert scene.advise(0.01, "momentum") == theirs

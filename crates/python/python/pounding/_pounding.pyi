@@ -59,7 +59,7 @@ class Assessment:
         """
     def warnings(self, /) -> list[str]:
         """
-        Warnings about the results.
+        Warnings about the results, and how much stronger all records were made to reach their target.
         """
 
 @final
@@ -222,7 +222,7 @@ def advise(text: str, path: str | PathLike[str], error: SupportsFloat | Supports
     The cheapest method and time step for an accuracy, as the JSON of `pounding advise --json`.
     """
 
-def assess(text: str, path: str | PathLike[str], folder: str | PathLike[str], scale: str, target: str | None = None, stiffness: SupportsLenAndGetItem[SupportsFloat | SupportsIndex] = ..., code: str | None = None, progress: Any | None = None) -> Assessment:
+def assess(text: str, path: str | PathLike[str], folder: str | PathLike[str], scale: str, target: str | None = None, stiffness: SupportsLenAndGetItem[SupportsFloat | SupportsIndex] | None = None, code: str | None = None, progress: Any | None = None) -> Assessment:
     """
     Assesses a row under a folder of records, in both directions, by the exact method. `scale` is `scene`, `none` or a `scale_to` table as
     JSON. `target` is the name or the file of a spectrum.

@@ -307,7 +307,7 @@ class Scene:
             accelerations [g]. If the mean spectrum of the records has less than 90 % of it somewhere, all are made stronger by one factor
             until it has; a warning gives the factor.
         stiffness
-            Range of the impact stiffness, as factors on that of the scene [–].
+            Range of the impact stiffness, as factors on that of the scene [–]; by default from 0.1 to the stiffness of two slabs.
         code
             Code whose gap is told in a sentence: ``"en-1998-1"``, ``"asce-7-16"``, ``"ntc-2018"``, ``"tbdy-2018"``, ``"e-030"`` or
             ``"gb-50011"``; by default that of the target.
@@ -322,7 +322,7 @@ class Scene:
             present(Path(str(spectrum)))
         with folder_of(records) as folder:
             native = _pounding.assess(
-                self._text, Path(self._path), folder, scale, spectrum, list(stiffness), code, shown(progress)
+                self._text, Path(self._path), folder, scale, spectrum, None if stiffness is None else list(stiffness), code, shown(progress)
             )
         found = Assessment(native)
         for one in [*found.unusual, *found.warnings, *found.remarks]:

@@ -46,7 +46,11 @@ def frame(table: _pounding.Table) -> pandas.DataFrame:
 
 
 #: Responses of a floor in the answer about effects: name there, name of columns, unit.
-_EFFECTS = (("drift_m", "drift", "m"), ("shear_n", "shear_force", "n"), ("acceleration_m_per_s2", "acceleration", "m_per_s2"))
+_EFFECTS = (
+    ("peak_drift_m", "drift", "m"),
+    ("peak_shear_force_n", "shear_force", "n"),
+    ("peak_acceleration_m_per_s2", "acceleration", "m_per_s2"),
+)
 
 
 def effect_row(floor: Mapping[str, Any], is_reversed: bool, buildings: Sequence[str]) -> dict[str, Any]:
@@ -68,7 +72,7 @@ def effect_row(floor: Mapping[str, Any], is_reversed: bool, buildings: Sequence[
         known(name, floor[name])
     for key, name, unit in _EFFECTS:
         effect = floor.get(key)
-        row[f"{name}_alone_{unit}"] = effect and effect["alone"]
-        row[f"{name}_{unit}"] = effect and effect["beside"]
+        row[f"peak_{name}_alone_{unit}"] = effect and effect["alone"]
+        row[key] = effect and effect["beside"]
         known(f"{name}_amplification", effect and effect["amplification"])
     return row
