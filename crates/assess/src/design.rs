@@ -66,6 +66,14 @@ impl DesignSpectrum {
         }
     }
 
+    /// Ground acceleration of the spectrum of a code \[g\], such as `a_g` S of EN 1998-1; `None` of a table, which may begin anywhere.
+    pub fn ground_acceleration(&self) -> Option<f64> {
+        match self {
+            Self::Eurocode8 { .. } | Self::Asce7 { .. } => Some(self.acceleration(0.0)),
+            Self::Table(_) => None,
+        }
+    }
+
     /// Reads an acceleration > 0 with its unit, `0.25g` or `2.45m/s2`, and returns it in g; `None` for any other text, such as a number
     /// without a unit.
     pub fn in_g(text: &str) -> Option<f64> {

@@ -123,7 +123,8 @@ const WORDS: [RuleWords; Rule::COUNT] = [
         code: Some("ntc-2018"),
         key: "ntc_2018_m",
         form: "u₁ + u₂, at least h/100 · min(1, a_g S/(0.5 g))",
-        says: "the sum; at least h/100 times a_g S/(0.5 g), which counts up to 1, with the record's peak ground acceleration for a_g S",
+        says: "the sum; at least h/100 times a_g S/(0.5 g), which counts up to 1: that of the target spectrum of a code, or else the peak \
+               ground acceleration of the record",
         mean_from: Some(7),
         least_events: 3,
         ..LITERATURE

@@ -71,6 +71,15 @@ impl AssessedRun {
         [from, own.map(|over| most / over).fold(most, f64::min).max(1.0)]
     }
 
+    /// With the ground acceleration of the site \[g\] in place of the record's, if it is known.
+    #[must_use]
+    pub fn at_site(mut self, ground_acceleration: Option<f64>) -> Self {
+        for one in &mut self.separations {
+            one.pga_g = ground_acceleration.unwrap_or(one.pga_g);
+        }
+        self
+    }
+
     /// Runs the row of a simulation alone and beside its neighbours, by the exact method. The record is not scaled again.
     ///
     /// `alone` is the response of the buildings alone to the motion in either direction; `None` if it is not known. The range over the

@@ -34,7 +34,7 @@ pub struct Separation {
     pub heights: Option<[f64; 2]>,
     /// Owners of the ground on both sides.
     pub property: Property,
-    /// Peak ground acceleration of the record, as it shakes the row \[g\].
+    /// Ground acceleration of the site \[g\]: that of the target spectrum of a code, or else the peak of the record as it shakes the row.
     pub pga_g: f64,
 }
 

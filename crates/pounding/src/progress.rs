@@ -22,7 +22,7 @@ const RUNNING: &str = "running";
 /// Style for one run, and for runs whose number is not known yet.
 const CLOCK: &str = "{spinner} {msg}, {elapsed}";
 /// Style for a known number of runs.
-const BAR: &str = "{bar:40} {pos}/{len} runs, {elapsed}";
+const BAR: &str = "{bar:40} {pos}/{len} runs, {elapsed}, about {eta} left";
 /// Style while a method is chosen.
 const CHOOSING_BAR: &str = "{bar:30} choosing a method: {pos} of about {len} sampled runs, {elapsed}, about {eta} left";
 /// Style for many runs, with the time that is left.

@@ -2,7 +2,7 @@
 
 use pounding_assess::{MotionLine, Suite};
 use pounding_scene::{Excess, Implausible, Scene};
-use pounding_text::{Answer, Table, Where};
+use pounding_text::{Answer, Table, Where, short};
 use serde_json::{Value, json};
 
 /// Sentences about the records of a folder, with `hint` behind them if they leave names out.
@@ -12,6 +12,18 @@ pub fn said_briefly(suite: &Suite, hint: &str) -> Vec<String> {
         said.push(hint.into());
     }
     said
+}
+
+/// Names the factor on a record in parentheses; empty for a record that is not scaled. Warns of one that belongs to other earthquakes.
+pub(crate) fn factor(scale: f64) -> String {
+    let [least, most] = Implausible::USUAL_FACTORS;
+    if (scale - 1.0).abs() <= 0.0 {
+        String::new()
+    } else if (least..=most).contains(&scale.abs()) {
+        format!(" (× {})", short(scale))
+    } else {
+        format!(" (× {}, which belongs to another earthquake)", short(scale))
+    }
 }
 
 /// Findings under one motion.

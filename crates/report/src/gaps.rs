@@ -2,12 +2,12 @@
 
 use std::collections::BTreeSet;
 
-use pounding_assess::{Case, RequiredGap, Rule, RuleAssessment, Separation, beyond_belief};
-use pounding_scene::{Error, Excess, Floors, Implausible, Scene, Simulation, Structure};
+use pounding_assess::{Case, RequiredGap, Rule, RuleAssessment, Scaling, Separation, beyond_belief};
+use pounding_scene::{Error, Excess, Floors, Implausible, RecordUse, Scene, Simulation, Structure};
 use pounding_text::{Answer, Cell, Table, Where, digits, rounded_up, short};
 use serde_json::{Value, json};
 
-use crate::folder::{MotionRow, OfFolder, UnderMotion};
+use crate::folder::{MotionRow, OfFolder, UnderMotion, factor};
 use crate::rules::{RuledGap, notes, sources};
 
 /// The widths that the gaps of a row need under one motion in one direction.
@@ -19,6 +19,8 @@ pub struct GapsUnderMotion {
     /// The response that is farthest beyond belief; `None` if the widths are believed.
     disbelieved: Option<Excess>,
     doubts: Vec<Implausible>,
+    /// Factor by which the source of the record was multiplied \[–\].
+    scale: f64,
 }
 
 impl GapsUnderMotion {
@@ -35,6 +37,7 @@ impl GapsUnderMotion {
             cautions: excesses,
             disbelieved,
             doubts: apart.doubts(),
+            scale: apart.scale(),
         })
     }
 }
@@ -71,10 +74,12 @@ pub fn gaps_answer<'a>(folder: &'a OfFolder<'_, GapsUnderMotion>, code: Option<R
     let travels = scene.arrivals_s.is_some().then_some(TRAVELS);
     let moat = Floors::of(scene).ok().and_then(|floors| says_moat(&floors));
     let others = (scene.structures.len() > 2).then_some(OTHERS);
+    let scaled = says_scaled(scene);
     let said = [Some(NOTES), others, levels, travels]
         .into_iter()
         .flatten()
         .map(String::from)
+        .chain(scaled)
         .chain(moat);
     answer
         .say(Where::FirstScreen, "Records", folder.records(false))
@@ -85,6 +90,15 @@ pub fn gaps_answer<'a>(folder: &'a OfFolder<'_, GapsUnderMotion>, code: Option<R
             said.chain([sources(&shown)]).chain(notes(scene, &ruled, &shown)).collect(),
         )
         .with_csv(|| gaps_table(folder).csv())
+}
+
+/// Names what the scene does to its own record and so to every record of the folder; `None` if it scales nothing.
+fn says_scaled(scene: &Scene) -> Option<String> {
+    let RecordUse { scale, scale_to, .. } = &scene.record;
+    let to = scale_to.map(|to| format!("scaled {}", Scaling::To(to)));
+    let by = ((scale - 1.0).abs() > 0.0).then(|| format!("multiplied by {}", digits(*scale)));
+    let both: Vec<String> = to.into_iter().chain(by).collect();
+    (!both.is_empty()).then(|| format!("Every record is {}, since the scene does so with its own.", both.join(" and ")))
 }
 
 /// A sentence about gaps without rules, beside buildings that are told to stand on isolators; `None` if there are none.
@@ -111,6 +125,8 @@ struct RequiredAt {
     own: Option<f64>,
     /// Its widths; `None` if no event is believed.
     all: Option<RequiredGap>,
+    /// The motion that asks for the largest width; `None` for a single event, and if the gap never closes.
+    widest: Option<String>,
     /// Why events do not count, if there are any.
     not_counted: Option<String>,
 }
@@ -118,13 +134,18 @@ struct RequiredAt {
 impl RequiredAt {
     fn of(folder: &OfFolder<'_, GapsUnderMotion>, index: usize) -> Option<Self> {
         let left = folder.found().find_map(|(_, found)| Some(found.separations.get(index)?.left))?;
-        let (found, not_counted) = believed(folder, index);
+        let BelievedWidths {
+            found,
+            widest,
+            not_counted,
+        } = believed(folder, index);
         let contacts = folder.scene.contacts.as_ref();
         Some(Self {
             index,
             left,
             own: contacts.and_then(|contacts| contacts.get(left)).map(|own| own.gap_m),
             all: RequiredGap::of(&found),
+            widest,
             not_counted,
         })
     }
@@ -225,6 +246,7 @@ fn of_gap<'a>(folder: &OfFolder<'a, GapsUnderMotion>, answer: Answer<'a>, gap: &
         .map_or_else(String::new, |own| format!(", {} mm in the scene", digits(own * 1e3)));
     let told = || says_columns(scene, gap.left);
     let mut said = gap.all.as_ref().map_or_else(Vec::new, |all| result(all, gap.own, told(), shown));
+    said.extend(gap.widest.iter().map(|widest| format!("largest under {widest}")));
     said.extend(gap.not_counted.clone());
     let table = Table::of(found).shown("Record", |(line, _)| line.name());
     answer
@@ -239,13 +261,27 @@ fn says_columns(scene: &Scene, gap: usize) -> Option<String> {
     floors.says_columns(gap)
 }
 
-/// Returns the widths of the events under which every building stands alone within belief, and a sentence about the others.
-fn believed<'a>(folder: &OfFolder<'a, GapsUnderMotion>, gap: usize) -> (Vec<(Case, &'a Separation)>, Option<String>) {
+/// The widths of a gap under the events that count.
+struct BelievedWidths<'a> {
+    found: Vec<(Case, &'a Separation)>,
+    /// The motion that asks for the largest, with its factor.
+    widest: Option<String>,
+    /// A sentence about the events that do not count.
+    not_counted: Option<String>,
+}
+
+/// Returns the widths of the events under which every building stands alone within belief.
+fn believed<'a>(folder: &OfFolder<'a, GapsUnderMotion>, gap: usize) -> BelievedWidths<'a> {
     let doubted = folder.found().filter_map(|(line, found)| Some((line, found.disbelieved.as_ref()?)));
     let doubted: Vec<_> = doubted.collect();
     let events: BTreeSet<usize> = doubted.iter().map(|(line, _)| line.event).collect();
     let all = folder.found().filter(|(line, _)| !events.contains(&line.event));
-    let all = all.filter_map(|(line, found)| Some(([line.event, 0], found.separations.get(gap)?)));
+    let all: Vec<_> = all
+        .filter_map(|(line, found)| Some((line, found, found.separations.get(gap)?)))
+        .collect();
+    let widest = all.iter().rev().max_by(|one, other| one.2.required.total_cmp(&other.2.required));
+    let widest = widest.filter(|(.., one)| folder.suite.n_events > 1 && one.required > 0.0);
+    let widest = widest.map(|(line, found, _)| format!("{}{}", line.name(), factor(found.scale)));
     let worst = beyond_belief(doubted.iter().map(|(_, excess)| *excess)).map(|worst| {
         let n = events.len();
         let s = if n == 1 { "" } else { "s" };
@@ -255,7 +291,11 @@ fn believed<'a>(folder: &OfFolder<'a, GapsUnderMotion>, gap: usize) -> (Vec<(Cas
             worst.kind.brief(worst.found)
         )
     });
-    (all.collect(), worst)
+    BelievedWidths {
+        found: all.iter().map(|(line, _, one)| ([line.event, 0], *one)).collect(),
+        widest,
+        not_counted: worst,
+    }
 }
 
 /// Whether floors stand at several levels.

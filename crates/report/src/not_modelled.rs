@@ -55,7 +55,7 @@ const ALL: [LeftOut; 8] = [
     },
     LeftOut {
         applies: |found| found.scene.structures.len() >= LONG && found.scene.arrivals_s.is_none(),
-        says: "A ground motion that travels: all bases of this long row move alike. `arrivals_s` gives each its instant.",
+        says: "A ground motion that travels: all bases of this long row move alike, while waves reach one after the other.",
     },
     LeftOut {
         applies: |found| found.touch && found.is_impulsive(),

@@ -187,3 +187,43 @@ fn issue_a_clause_that_was_not_seen_never_leads() {
     let said = flat(&pounding(&work, OF_FOLDERS[0]));
     assert!(said.contains("IS 1893 (Part 1):2016: clause not seen"), "{said}");
 }
+
+/// NTC took the peak of each record for a_g S, though a spectrum of the site was given.
+#[test]
+fn issue_the_site_gives_the_ground_acceleration_of_a_code() {
+    let work = workplace("codes_site", TOWERS, false);
+    let width = |target: &str| {
+        let all = json(&work, &[OF_FOLDERS[0], &["--target", target]].concat());
+        let rules = all["gaps"][0]["rules"].as_array().expect("rules").clone();
+        let one = rules.into_iter().find(|one| one["rule"] == "NTC 2018").expect("a rule");
+        one["width_m"]["median"].as_f64().expect("a width")
+    };
+    // The level of both roofs is at 18.6 m: 1 % of it times a_g S/(0.5 g) = 0.9 exceeds any sum of peaks of these weak plateaus.
+    fs::write(work.join("weak.csv"), "0.01,0.001\n10,0.001\n").expect("it can be written");
+    let [site, table] = ["ec8:a_g=0.45g,ground=A", "weak.csv"].map(width);
+    assert!(site >= 0.186 * 0.9 * (1.0 - 1e-12), "{site}");
+    assert!(table < 0.05, "{table}");
+}
+
+/// The record that decides a width was named nowhere, and `gap` did not say that the scene's own factor holds for every record.
+#[test]
+fn issue_the_deciding_record_and_its_factor_are_named() {
+    let scaled = TOWERS.replace(
+        "record.file = \"records/good.csv\"",
+        "record = { file = \"records/good.csv\", scale = 5 }",
+    );
+    assert_ne!(scaled, TOWERS);
+    let work = workplace("codes_decides", &scaled, false);
+    for arguments in &OF_FOLDERS[..2] {
+        let said = flat(&pounding(&work, arguments));
+        assert!(
+            said.contains("argest under other.csv (× 5.000, which belongs to another earthquake)"),
+            "{said}"
+        );
+    }
+    let said = flat(&pounding(&work, OF_FOLDERS[1]));
+    assert!(
+        said.contains("Every record is multiplied by 5, since the scene does so with its own."),
+        "{said}"
+    );
+}

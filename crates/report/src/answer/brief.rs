@@ -40,7 +40,7 @@ pub(super) fn scene(prepared: &Simulation, review: &Review) -> Vec<String> {
 
 fn errors(errors: &Errors) -> String {
     match errors {
-        Errors::Exact => "no error beyond rounding".into(),
+        Errors::Exact => "no error of the method beyond rounding".into(),
         Errors::Doubtful => "this run has gone wrong (see the warnings)".into(),
         Errors::NotMeasured => "errors not measured (--no-error)".into(),
         Errors::Unknown(_) => "errors not known, the exact run fails".into(),

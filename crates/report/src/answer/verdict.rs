@@ -164,9 +164,9 @@ fn with_error(text: String, error: Option<f64>) -> String {
 /// How far the numbers are from the exact run.
 fn certainty(review: &Review) -> String {
     match &review.errors {
-        Errors::Exact => "The method is exact: the numbers have no error beyond rounding and its tolerance. What the model leaves out is \
-             not part of that."
-            .into(),
+        Errors::Exact => {
+            "The method is exact: it adds no error beyond rounding and its tolerance. What the model leaves out is not part of that.".into()
+        }
         Errors::Doubtful => {
             "The method is exact, but this run has gone wrong by what its energies tell (see the warnings): how far its numbers \
              are off is not known."

@@ -75,7 +75,7 @@ impl AssessmentReport {
         let Some([drift, limit]) = self.of_limit(floor, one.largest_drift) else {
             let [drift, alone] = [one.largest_drift, one.largest_drift_alone].map(|drift| two_digits(1e3 * drift));
             return Some(format!(
-                "Largest drift when they touch: {drift} mm ({name}), alone {alone} mm; without `height_m` there is no limit for it."
+                "Largest drift when they touch: {drift} mm ({name}), alone {alone} mm; without the height of the storey there is no limit for it."
             ));
         };
         let [least, most] = one.largest_drift_range;

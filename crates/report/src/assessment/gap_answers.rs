@@ -3,7 +3,8 @@
 use pounding_assess::{Distribution, GapAssessment, TargetFit};
 use pounding_text::{millimetres, millimetres_up, percent, two_decimals, two_digits};
 
-use super::AssessmentReport;
+use super::{AssessedMotion, AssessmentReport};
+use crate::folder::factor;
 use crate::rules::{RuledGap, asked};
 
 /// Largest closing of neighbours that move alike \[m\].
@@ -157,8 +158,9 @@ impl AssessmentReport {
         if let Some(why) = self.unfounded() {
             let needed = millimetres_up(gap.required.largest());
             return format!(
-                "Under these records they need {needed} mm, {}, but {why}.",
-                self.largest_of(&gap.required)
+                "Under these records they need {needed} mm, {}, but {why}.{}",
+                self.largest_of(&gap.required),
+                self.decides(gap)
             );
         }
         let [most, all] = [gap.built(gap.required.upper()), gap.proposal()].map(millimetres);
@@ -170,13 +172,32 @@ impl AssessmentReport {
             }
             n => format!("{most} mm {enough} for 84 % of the {n} {samples}s, {all} mm for all"),
         };
-        let counted = if self.assessment.disbelieved_alone > 0 { " that count" } else { "" };
+        let counted = match (self.assessment.disbelieved_alone, gap.required.sorted().len()) {
+            (0, _) => "",
+            (_, 1) => " that counts",
+            _ => " that count",
+        };
         let others = if self.assessment.gaps.len() > 1 {
             ", if every other gap of the row stays open, too"
         } else {
             ""
         };
-        format!("{said}{counted}{others}.")
+        format!("{said}{counted}{others}.{}", self.decides(gap))
+    }
+
+    /// The motion that asks for the largest width, in a sentence; empty for a single event.
+    fn decides(&self, gap: &GapAssessment) -> String {
+        let widest = gap.required.largest();
+        let asks = |one: &&AssessedMotion| {
+            let mut own = one.run.separations.iter().filter(|own| own.left == gap.left);
+            own.any(|own| own.required.total_cmp(&widest).is_eq())
+        };
+        let believed = self.motions.iter().filter(|one| one.run.disbelieved_alone.is_none());
+        let motion = believed.chain(&self.motions).find(asks);
+        let motion = motion.filter(|_| self.assessment.events > 1 && widest > ALIKE);
+        motion.map_or_else(String::new, |one| {
+            format!(" Largest under {}{}.", one.shown(), factor(one.run.scale))
+        })
     }
 
     /// Why a gap that stays open under some events is not enough under all; `None` if all events count.

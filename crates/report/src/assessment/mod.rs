@@ -47,6 +47,14 @@ pub struct AssessedMotion {
     pub run: AssessedRun,
 }
 
+impl AssessedMotion {
+    /// Its name, and its direction if it is reversed.
+    fn shown(&self) -> String {
+        let reversed = if self.reversed { ", reversed" } else { "" };
+        format!("{}{reversed}", self.name)
+    }
+}
+
 /// The motions of a folder that were used or left out.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct FolderOfMotions {

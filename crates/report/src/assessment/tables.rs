@@ -236,9 +236,7 @@ impl AssessmentReport {
     /// Every run.
     pub(super) fn runs(&self) -> Table<'_, &AssessedMotion> {
         Table::of(&self.motions)
-            .shown("Motion", |one| {
-                format!("{}{}", one.name, if one.reversed { ", reversed" } else { "" })
-            })
+            .shown("Motion", |one| one.shown())
             .column("record", |one| one.name.as_str())
             .column("event", |one| one.event + 1)
             .column("reversed", |one| one.reversed)

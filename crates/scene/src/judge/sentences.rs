@@ -51,6 +51,11 @@ impl Excess {
                  alpha_per_s = 0",
                 percent(found)
             ),
+            ExcessKind::ResidualDrift if found > Excess::MOST_DRIFT => format!(
+                "drift of {} of the storey height left at the end, more than 2.5 %, which columns hardly survive: the value is one of a model \
+                 without loss of strength and without gravity, and says only that the building would not be used again",
+                percent(found)
+            ),
             ExcessKind::ResidualDrift => format!(
                 "drift of {} of the storey height left at the end, above 0.5 % (McCormick et al. 2008): realignment likely; the value depends \
                  on the model of yielding",

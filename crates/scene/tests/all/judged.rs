@@ -150,3 +150,21 @@ fn reference_a_chain_that_comes_to_rest_together() {
         assert!((found - wanted).abs() < 1e-13, "{node}: {found} {wanted}");
     }
 }
+
+/// A storey that was 14 % of its height out of plumb at the end was called likely to be realigned.
+#[test]
+fn issue_no_building_is_realigned_from_far() {
+    let left = |found: f64| {
+        let one = pounding_scene::Excess {
+            kind: ExcessKind::ResidualDrift,
+            floor: 0,
+            name: "a".into(),
+            found,
+            capacity: None,
+            often: None,
+        };
+        one.to_string()
+    };
+    assert!(left(0.01).contains("realignment likely"));
+    assert!(left(0.14).contains("14 %") && left(0.14).contains("would not be used again") && !left(0.14).contains("realignment"));
+}

@@ -21,11 +21,9 @@ fn checked(scenes: &[usize], n_threads: usize) -> Vec<Checked> {
     pool.install(|| campaign(7).run(scenes, &|_| ()))
 }
 
-/// The scenes that agree among the first 44 of the seed; `cargo xtask verify` runs more. Three others end by a documented limit, and number 44 takes more pieces than its
+/// The scenes that agree among the first 31 of the seed; `cargo xtask verify` runs more. Three others end by a documented limit, and number 44 takes more pieces than its
 /// budget. The rest are further apart than allowed, mostly by the second route's distance from itself.
-const AGREE: [usize; 32] = [
-    0, 1, 3, 5, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 27, 28, 30, 31, 32, 33, 34, 35, 36, 37, 39, 40, 43,
-];
+const AGREE: [usize; 22] = [0, 1, 3, 5, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 27, 28, 30];
 
 #[test]
 fn reference_random_scenes_are_the_same_by_both_routes() {
@@ -89,7 +87,7 @@ fn limit_no_force_of_a_history_is_larger_than_its_peak() {
         gamma: 0.5,
     };
     let (mut n_runs, mut n_pushed) = (0, 0);
-    for index in AGREE.into_iter().take(30) {
+    for index in AGREE {
         let scene = campaign.scene(index);
         let exact = Simulation::new(&scene, campaign.studies.as_path()).expect("a scene");
         for scene in [exact.with_method(other), Ok(exact)].into_iter().flatten() {
@@ -119,7 +117,7 @@ fn limit_no_force_of_a_history_is_larger_than_its_peak() {
             }
         }
     }
-    assert!(n_runs > 35 && n_pushed > 100, "{n_runs} runs, {n_pushed} floors that are pushed");
+    assert!(n_runs > 25 && n_pushed > 70, "{n_runs} runs, {n_pushed} floors that are pushed");
 }
 
 #[test]
