@@ -188,7 +188,7 @@ fn issue_a_clause_that_was_not_seen_never_leads() {
     assert!(said.contains("IS 1893 (Part 1):2016: clause not seen"), "{said}");
 }
 
-/// NTC took the peak of each record for a_g S, though a spectrum of the site was given.
+/// NTC took the peak of each record for `a_g` S, though a spectrum of the site was given.
 #[test]
 fn issue_the_site_gives_the_ground_acceleration_of_a_code() {
     let work = workplace("codes_site", TOWERS, false);
