@@ -147,6 +147,8 @@ pub(crate) fn timed_row(
             gap_m,
             law,
             levels: None,
+            heights_m: None,
+            column_shape: pounding_scene::ColumnShape::Fixed,
             property: Property::default(),
         };
         vec![contact; structures.len() - 1]

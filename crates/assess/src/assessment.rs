@@ -255,12 +255,7 @@ impl<'r> AssessedRow<'r> {
         let own = self.scene.contacts.as_ref().and_then(|all| all.get(left));
         let facing = self.floors.facing();
         let pairs: Vec<usize> = (0..facing.len()).filter(|pair| facing[*pair].contact == left).collect();
-        let is_unmodelled = self.floors.is_unmodelled(left);
-        // Where floors face columns, the buildings alone tell whether they would touch.
-        let touches = |run: &AssessedRun| match own {
-            Some(own) if is_unmodelled => run.separations[index].asks_for_more(own.gap_m),
-            _ => pairs.iter().any(|pair| run.pairs[*pair].collisions > 0),
-        };
+        let touches = |run: &AssessedRun| pairs.iter().any(|pair| run.pairs[*pair].collisions > 0);
         let touching = self.all.iter().filter(|one| touches(one.run));
         let RequiredGap {
             required,

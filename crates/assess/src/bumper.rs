@@ -110,8 +110,7 @@ impl Bumper {
         Contact {
             gap_m: contact.gap_m - self.thickness,
             law: self.law(contact),
-            levels: contact.levels.clone(),
-            property: contact.property,
+            ..contact.clone()
         }
     }
 }

@@ -51,6 +51,8 @@ impl Unit {
     pub const NEWTON: Self = Self::new("_n", "N", "kN", |_| 1e-3, short);
     /// A pounding force: it depends on an impact stiffness that is not known, so two digits.
     pub const POUNDING_FORCE: Self = Self::NEWTON.read(two_digits);
+    /// A bending moment that is known to two digits.
+    pub const MOMENT: Self = Self::new("_nm", "N·m", "kN·m", |_| 1e-3, two_digits);
     /// An impulse.
     pub const NEWTON_SECOND: Self = Self::new("_n_s", "N·s", "kN·s", |_| 1e-3, short);
     /// A speed.

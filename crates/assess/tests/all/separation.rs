@@ -76,7 +76,7 @@ fn reference_the_closing_of_floors_and_columns() {
             let side = if floors.all()[one.floor].structure == one.gap { 1.0 } else { -1.0 };
             for row in 0..states(one.floor).len() {
                 let at = |floor: usize| states(floor)[row].displacement;
-                let column = one.along * at(one.above) + (1.0 - one.along) * one.below.map_or(0.0, at);
+                let column = one.upper_part() * at(one.above) + (1.0 - one.upper_part()) * one.below.map_or(0.0, at);
                 largest = largest.max(side * (at(one.floor) - column));
             }
         }

@@ -33,6 +33,8 @@ fn touches(scene: &Scene, pair: usize, gap: f64) -> bool {
         gap_m: if index == pair { gap } else { 10.0 },
         law: ContactLaw::Stereomechanical(Stereomechanical { restitution: 0.5 }),
         levels: None,
+        heights_m: None,
+        column_shape: pounding_scene::ColumnShape::Fixed,
         property: Property::default(),
     };
     let mut scene = scene.clone();
@@ -73,6 +75,8 @@ fn issue_what_stays_open_is_no_sample() {
             gap_m: 0.5,
             law,
             levels: None,
+            heights_m: None,
+            column_shape: pounding_scene::ColumnShape::Fixed,
             property: Property::default(),
         };
         3
@@ -118,6 +122,8 @@ fn limit_the_width_is_that_of_structures_alone() {
             gap_m: 0.001,
             law,
             levels: None,
+            heights_m: None,
+            column_shape: pounding_scene::ColumnShape::Fixed,
             property: Property::default(),
         };
         3

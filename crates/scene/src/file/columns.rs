@@ -33,7 +33,7 @@ impl Columns {
     }
 }
 
-/// What a scene says of a storey besides its mechanics: it changes how results are judged, and no number of a run.
+/// What a scene says of a storey besides its mechanics as a shear building: how results are judged, and what a slab beside its columns meets.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Serialize)]
 pub struct Capacities {
     /// Whether the lowest storey stands for isolators, which have no limits of columns; absent if the scene does not say.
@@ -45,6 +45,15 @@ pub struct Capacities {
     /// Shear force that the columns bear \[N\], > 0.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub shear_capacity_n: Option<f64>,
+    /// Shear force that one column bears \[N\], > 0, when a slab of the neighbour hits it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub column_capacity_n: Option<f64>,
+    /// Number of equal columns of the storey, ≥ 1: the bending of the one that is hit stands in series with a linear contact.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub columns: Option<u32>,
+    /// Depth of the slab \[m\], ≥ 0, below the height of its floor: slabs whose depths overlap meet as floors.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub slab_depth_m: Option<f64>,
 }
 
 /// Shape of smooth yielding: dz/dd = 1 − |z/`u_y`|ⁿ (γ + β sgn(z ḋ)), γ = 1 − β.

@@ -97,6 +97,45 @@ pub enum FloorHeights {
 
 impl choice::Choice for FloorHeights {}
 
+/// Shape of a column between its floors, which shares a blow among them.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum ColumnShape {
+    /// Fixed to both floors: at the part s of its height it follows the floor above by 3s² − 2s³.
+    #[default]
+    Fixed,
+    /// Straight between hinges: it follows the floor above by s.
+    Straight,
+}
+
+impl choice::Choice for ColumnShape {}
+
+impl ColumnShape {
+    #[expect(clippy::trivially_copy_pass_by_ref, reason = "serde passes a reference")]
+    fn is_fixed(&self) -> bool {
+        *self == Self::Fixed
+    }
+
+    /// Part of the upper floor in the motion of the column at the part s of its height \[–\], 0 to 1.
+    pub fn upper_part(self, s: f64) -> f64 {
+        match self {
+            Self::Fixed => s * s * (3.0 - 2.0 * s),
+            Self::Straight => s,
+        }
+    }
+
+    /// Largest shear force \[N\] and largest bending moment \[N·m\] in a column of this height \[m\] under 1 N at the part s of its height.
+    pub fn forces(self, height: f64, s: f64) -> [f64; 2] {
+        let (upper, far) = (self.upper_part(s), 1.0 - s);
+        let moment = match self {
+            // At the nearer end: where the force acts the moment is never larger.
+            Self::Fixed => height * s * far * s.max(far),
+            Self::Straight => height * s * far,
+        };
+        [upper.max(1.0 - upper), moment]
+    }
+}
+
 /// Owner of the ground of two neighbours, on which rules of codes for gaps depend.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
@@ -236,6 +275,13 @@ pub struct Contact {
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[schemars(length(min = 1), inner(range(min = 1)))]
     pub levels: Option<Vec<usize>>,
+    /// Heights at which slabs can touch what stands there \[m\], at least one; absent if they can at all heights.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(length(min = 1))]
+    pub heights_m: Option<Vec<f64>>,
+    /// Shape of columns between floors, where a slab hits them.
+    #[serde(default, skip_serializing_if = "ColumnShape::is_fixed", deserialize_with = "choice::one")]
+    pub column_shape: ColumnShape,
     /// Whether both neighbours stand on the same property; rules of codes for gaps depend on it.
     #[serde(default, skip_serializing_if = "Property::is_other", deserialize_with = "choice::one")]
     pub property: Property,

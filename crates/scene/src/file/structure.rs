@@ -200,6 +200,14 @@ pub struct SdofFile {
     drift_capacity_ratio: Option<f64>,
     /// Shear force that the columns bear \[N\], > 0; by default it is not judged.
     shear_capacity_n: Option<f64>,
+    /// Shear force that one column bears \[N\], > 0, when a slab of the neighbour hits it; by default it is not judged.
+    column_capacity_n: Option<f64>,
+    /// Number of equal columns, ≥ 1: the bending of the one that a slab hits stands in series with a linear contact. By default columns do
+    /// not bend there.
+    columns: Option<u32>,
+    /// Depth of the slab below the height of its floor \[m\], ≥ 0: slabs whose depths overlap meet as floors. By default only floors at one
+    /// height do.
+    slab_depth_m: Option<f64>,
     /// Displacement at t = 0 \[m\].
     #[serde(default)]
     pub(super) initial_displacement_m: f64,
@@ -262,6 +270,9 @@ impl SdofFile {
                 isolation_layer: self.isolation_layer,
                 drift_capacity_ratio: self.drift_capacity_ratio,
                 shear_capacity_n: self.shear_capacity_n,
+                column_capacity_n: self.column_capacity_n,
+                columns: self.columns,
+                slab_depth_m: self.slab_depth_m,
             },
             initial_displacement_m: self.initial_displacement_m,
             initial_velocity_m_per_s: self.initial_velocity_m_per_s,

@@ -35,6 +35,8 @@ pub enum ExcessKind {
     AtFoot,
     /// Upper bound of how far two floors of a level that a contact leaves out move together, beyond the gap \[m\].
     LeftOut,
+    /// Shear force of a column that a slab hits \[N\]; 0 for impacts, which have no force.
+    ColumnHit,
     /// Drift of a storey of unknown height \[m\].
     Displacement,
     /// Stability coefficient P Δ/(V h) of a storey \[–\].
@@ -123,7 +125,9 @@ impl Excess {
     pub fn brief(&self) -> String {
         let colon = if self.kind.is_unwatched() { "" } else { ":" };
         let limit = match (self.kind.bound(), self.capacity) {
-            (_, Some(capacity)) if self.kind == ExcessKind::Shear => format!(", above its capacity of {} kN", short(1e-3 * capacity)),
+            (_, Some(capacity)) if [ExcessKind::Shear, ExcessKind::ColumnHit].contains(&self.kind) => {
+                format!(", above its capacity of {} kN", short(1e-3 * capacity))
+            }
             (_, Some(capacity)) => format!(", above its capacity of {}", percent(capacity)),
             (bound, None) => bound.into(),
         };
@@ -149,6 +153,7 @@ impl Simulation {
         let floors = self.floors();
         let dampers = self.damper_forces(result);
         let mut all = self.unwatched(result);
+        all.extend(self.columns_hit(result));
         for floor in 0..floors.all().len() {
             let dampers = self.judged_damping(result, floor, dampers.get(floor).copied());
             let judged = self.judged(result, floor).into_iter().chain(dampers);
@@ -163,6 +168,30 @@ impl Simulation {
             }
         }
         worst
+    }
+
+    /// Columns that slabs hit, unless they bear the shear force.
+    fn columns_hit(&self, result: &RunResult) -> Vec<Excess> {
+        let floors = self.floors();
+        let pairs = floors.facing().iter().enumerate();
+        let hit = pairs.filter_map(|(pair, facing)| {
+            let column = floors.column_of(facing)?;
+            let [shear, _] = column.forces()?;
+            let found = result.of_pair(pair);
+            found.first?;
+            let shear = found.peak_force.map(|peak| shear * peak.value);
+            let capacity = floors.all()[column.above].made_of?.capacities.column_capacity_n;
+            let bears = shear.zip(capacity).is_some_and(|(shear, capacity)| shear <= capacity);
+            (!bears).then(|| Excess {
+                kind: ExcessKind::ColumnHit,
+                floor: column.above,
+                name: floors.column_name(column),
+                found: shear.unwrap_or(0.0),
+                capacity,
+                often: None,
+            })
+        });
+        hit.collect()
     }
 
     fn excess(&self, floor: usize, (kind, found, capacity): Judged) -> Excess {
@@ -281,7 +310,7 @@ impl ExcessKind {
     /// General limit of the kind.
     fn most(self) -> f64 {
         match self {
-            Self::AtColumn | Self::BesideColumn | Self::AtFoot | Self::LeftOut => 0.0,
+            Self::AtColumn | Self::BesideColumn | Self::AtFoot | Self::LeftOut | Self::ColumnHit => 0.0,
             Self::Displacement => MOST_UNKNOWN,
             Self::Stability => Excess::MOST_STABILITY[0],
             Self::Drift => Excess::MOST_DRIFT,
@@ -306,6 +335,7 @@ impl ExcessKind {
             | Self::BesideColumn
             | Self::AtFoot
             | Self::LeftOut
+            | Self::ColumnHit
             | Self::Stability
             | Self::Shear
             | Self::ResidualDrift
@@ -327,7 +357,7 @@ impl ExcessKind {
     /// Whether an answer about gaps depends on it. Stability, residual drift, base shear and dampers beside columns do not count: the first
     /// two are estimates beyond the model, the others change drifts little.
     pub fn is_caution(self) -> bool {
-        self.strains() || self.is_unwatched() || self == Self::MassDamping
+        self.strains() || self.is_unwatched() || [Self::MassDamping, Self::ColumnHit].contains(&self)
     }
 
     /// Describes a value of this kind in a few words.
@@ -337,6 +367,8 @@ impl ExcessKind {
             Self::BesideColumn => "stands beside a column, which is not modelled".into(),
             Self::AtFoot => "may hit the foot of its neighbour, which is not modelled".into(),
             Self::LeftOut => "may touch, and were not looked at".into(),
+            Self::ColumnHit if found > 0.0 => format!("hit by a slab, with a shear force of {} kN", two_digits(1e-3 * found)),
+            Self::ColumnHit => "hit by a slab".into(),
             Self::Displacement => format!("drift of {} mm", short(1e3 * found)),
             Self::Stability => format!("stability coefficient of {}", short(found)),
             Self::Drift => format!("drift of {}", percent(found)),

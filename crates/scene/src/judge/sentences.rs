@@ -30,6 +30,7 @@ impl Excess {
         let found = self.found;
         match self.kind {
             ExcessKind::AtColumn | ExcessKind::BesideColumn | ExcessKind::AtFoot | ExcessKind::LeftOut => String::new(),
+            ExcessKind::ColumnHit => column_hit(found, self.capacity),
             ExcessKind::Displacement => format!(
                 "drift of {} m: more than 2.5 % of any usual storey; give height_m, and look at the scale of the record",
                 short(found)
@@ -120,6 +121,27 @@ impl Excess {
             "faces columns of its neighbour between floors; {often}both together may move up to {farther} mm{than}: a floor that hits a column \
              can bring a building down, and is not modelled"
         )
+    }
+}
+
+/// A column that a slab hits, with its shear force \[N\], 0 if impacts have none.
+fn column_hit(found: f64, capacity: Option<f64>) -> String {
+    let shear = two_digits(1e-3 * found);
+    match capacity {
+        _ if found <= 0.0 => {
+            "a slab of the neighbour hits it between its floors, which can bring the building down; the law has no force that \
+                              could be compared with the strength of a column"
+                .into()
+        }
+        Some(capacity) => format!(
+            "a slab of the neighbour hits it between its floors: a shear force of {shear} kN in one column for the assumed contact stiffness, \
+             above its capacity of {} kN, so that the storey may come down",
+            short(1e-3 * capacity)
+        ),
+        None => format!(
+            "a slab of the neighbour hits it between its floors: a shear force of {shear} kN in one column for the assumed contact stiffness, \
+             which can bring the building down (column_capacity_n)"
+        ),
     }
 }
 

@@ -49,6 +49,12 @@ quantities! {
     #[serde(skip_deserializing)]
     PeakForceTimeS("peak_force_time_s", "First instant of the peak force.") =
         QuantityEntry::instant(|run, pair| Some(run.pair(pair).peak_force?.time));
+    #[serde(skip_deserializing)]
+    ColumnShearN("column_shear_n", "Largest shear force in the column that a slab hits, of one column; none between floors.") =
+        QuantityEntry::new(&Unit::POUNDING_FORCE, "Column shear", |run, pair| Some(run.column_forces(pair)?[0]));
+    #[serde(skip_deserializing)]
+    ColumnMomentNM("column_moment_nm", "Largest bending moment in the column that a slab hits, of one column; none between floors.") =
+        QuantityEntry::new(&Unit::MOMENT, "Column moment", |run, pair| Some(run.column_forces(pair)?[1]));
     TotalImpulseNS("total_impulse_n_s", "Sum of all impulses.") =
         QuantityEntry::new(&Unit::NEWTON_SECOND, "Total impulse", |run, pair| Some(run.pair(pair).total_impulse))
             .kind(QuantityKind::Total).measured(QuantityGroup::Impulse, "total impulse");

@@ -125,6 +125,15 @@ impl RunValues<'_> {
         lowest.then(of).flatten()
     }
 
+    /// Largest shear force \[N\] and bending moment \[N·m\] that the peak force of a pair puts into the column that is hit; `None` between floors,
+    /// and for impacts without a force.
+    pub(crate) fn column_forces(&self, pair: usize) -> Option<[f64; 2]> {
+        let floors = self.simulation.floors();
+        let forces = floors.column_of(&floors.facing()[pair])?.forces()?;
+        let peak = self.pair(pair).peak_force?.value;
+        Some(forces.map(|of_one| of_one * peak))
+    }
+
     /// Collisions of a pair.
     pub(crate) fn pair(&self, pair: usize) -> &PairOutcome {
         &self.pairs[pair]
@@ -132,6 +141,6 @@ impl RunValues<'_> {
 
     /// Least opening of the gap of a pair \[m\] and its instant \[s\]; `None` if closings were not asked for.
     pub(crate) fn opening(&self, pair: usize) -> Option<(f64, f64)> {
-        self.result.least_opening(&self.simulation.pairs()[pair], &self.pairs[pair])
+        self.result.least_opening(self.simulation, pair, &self.pairs[pair])
     }
 }

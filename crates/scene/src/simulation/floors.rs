@@ -1,15 +1,17 @@
 //! The floors of a scene: names of the nodes of its row, and which floors face each other.
 
+mod beside;
 mod levels;
 mod unwatched;
 
-use pounding_solver::Levels;
+use pounding_solver::{Levels, Point};
 use pounding_text::Refused;
 
+pub use beside::ColumnBeside;
 use levels::elevations;
 pub use unwatched::UnwatchedFloor;
 
-use crate::{Capacities, Columns, Error, Property, Scene, Sdof, Structure};
+use crate::{Capacities, ColumnShape, Columns, Contact, Error, Property, Scene, Sdof, Structure};
 
 /// Largest difference between heights of floors that count as equal \[m\].
 pub(crate) const EQUAL_HEIGHTS: f64 = 1e-3;
@@ -26,8 +28,10 @@ pub struct Floors {
     levels: Levels,
     all: Vec<Floor>,
     facing: Vec<FloorPair>,
-    /// Gaps with contacts that are not modelled, because floors face columns there.
-    unmodelled: Vec<usize>,
+    /// Floors beside columns of their neighbours, gap by gap from the left.
+    beside: Vec<ColumnBeside>,
+    /// Gaps whose floors can touch columns: their contacts name no levels.
+    hits_columns: Vec<bool>,
     /// Whether the scene says that storeys of one number are level.
     told_level: bool,
     /// Owners of the ground at every contact.
@@ -66,15 +70,17 @@ pub struct StoreyProperties {
     pub initial_velocity_m_per_s: f64,
 }
 
-/// Two floors that can touch.
+/// Two floors that can touch, or a floor and a column.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct FloorPair {
     /// Index of the contact of the scene.
     pub contact: usize,
-    /// Index of the left floor.
+    /// Index of the left floor; of a column the floor that it follows most.
     pub left: usize,
-    /// Index of the right floor.
+    /// Index of the right floor; of a column the floor that it follows most.
     pub right: usize,
+    /// Index in [`Floors::beside_all_columns`] if one of both is a column.
+    pub column: Option<usize>,
 }
 
 impl Floor {
@@ -137,25 +143,59 @@ impl Floors {
     /// # Errors
     /// [`Refused`] if a floor would hit the columns of a neighbour, or if a contact names levels at which nothing can touch.
     pub fn of(scene: &Scene) -> Result<Self, Refused> {
-        let (levels, unmodelled) = levels::of(scene)?;
-        let contacts = scene.contacts.iter().flatten().enumerate();
-        let modelled = contacts.filter(|(contact, _)| !unmodelled.contains(contact));
-        let mut facing = Vec::new();
-        for (contact, one) in modelled {
-            let chosen = |node: &(usize, usize)| levels::lets_touch(one, levels.level(node.0));
-            let at_levels = levels.facing(contact).filter(chosen);
-            facing.extend(at_levels.map(|(left, right)| FloorPair { contact, left, right }));
-        }
-        facing.sort_by_key(|one: &FloorPair| one.left);
-        Ok(Self {
+        let levels = levels::of(scene)?;
+        let contacts = scene.contacts.as_deref().unwrap_or_default();
+        let mut floors = Self {
             structures: scene.structures.iter().map(|one| one.name().into()).collect(),
             all: (0..levels.n_nodes()).map(|node| floor(scene, &levels, node)).collect(),
-            facing,
+            facing: Vec::new(),
+            beside: Vec::new(),
+            hits_columns: contacts.iter().map(|one| one.levels.is_none()).collect(),
             levels,
-            unmodelled,
             told_level: scene.floors.is_some(),
-            properties: scene.contacts.iter().flatten().map(|one| one.property).collect(),
-        })
+            properties: contacts.iter().map(|one| one.property).collect(),
+        };
+        for gap in 1..floors.structures.len() {
+            let contact = contacts.get(gap - 1);
+            let shape = contact.map_or_else(ColumnShape::default, |one| one.column_shape);
+            let beside = floors.beside_columns(gap - 1, shape);
+            floors.beside.extend(beside);
+        }
+        for (contact, one) in contacts.iter().enumerate() {
+            let facing = floors.facing_in(contact, one);
+            beside::check_heights(contact, one, facing.is_empty())?;
+            floors.facing.extend(facing);
+        }
+        floors.facing.sort_by_key(|one: &FloorPair| one.left);
+        Ok(floors)
+    }
+
+    /// What a contact lets touch: floors at one level, and floors and columns.
+    fn facing_in(&self, contact: usize, one: &Contact) -> Vec<FloorPair> {
+        let lets_touch = |floor: usize| levels::lets_touch(one, self.levels.level(floor)) && beside::is_at_height(one, &self.all[floor]);
+        let level = self
+            .levels
+            .facing(contact)
+            .filter(|(left, right)| lets_touch(*left) && lets_touch(*right));
+        let level = level.map(|(left, right)| FloorPair {
+            contact,
+            left,
+            right,
+            column: None,
+        });
+        let columns = self.beside.iter().enumerate();
+        let columns = columns.filter(|(_, column)| column.gap == contact && !column.is_at_ground());
+        let columns = columns.filter(|(_, column)| self.hits_columns[contact] && beside::is_at_height(one, &self.all[column.floor]));
+        let columns = columns.map(|(index, column)| {
+            let [left, right] = self.sides(column).map(Point::floor);
+            FloorPair {
+                contact,
+                left,
+                right,
+                column: Some(index),
+            }
+        });
+        level.chain(columns).collect()
     }
 
     /// Checks that a row can be modelled, whatever shakes it.
@@ -230,9 +270,17 @@ impl Floors {
         &self.facing
     }
 
-    /// Whether a gap has a contact that is not modelled, because floors face columns there.
-    pub fn is_unmodelled(&self, gap: usize) -> bool {
-        self.unmodelled.contains(&gap)
+    /// The points of a pair, from the left.
+    pub fn points(&self, pair: &FloorPair) -> [Point; 2] {
+        match pair.column {
+            None => [pair.left, pair.right].map(Point::Floor),
+            Some(column) => self.sides(&self.beside[column]),
+        }
+    }
+
+    /// The column of a pair; `None` if both are floors.
+    pub fn column_of(&self, pair: &FloorPair) -> Option<&ColumnBeside> {
+        self.beside.get(pair.column?)
     }
 
     /// Whether both sides of a gap stand on one property; without contacts they do not.
@@ -249,14 +297,24 @@ impl Floors {
 
     /// Names of the left and the right floor of a pair.
     pub fn names(&self, pair: usize) -> [String; 2] {
-        let FloorPair { left, right, .. } = self.facing[pair];
-        [left, right].map(|floor| self.all[floor].name.clone())
+        self.names_of(&self.facing[pair])
+    }
+
+    /// Names of the left and the right side of a pair: a floor, or the columns of a storey.
+    pub fn names_of(&self, pair: &FloorPair) -> [String; 2] {
+        let mut names = [pair.left, pair.right].map(|floor| self.all[floor].name.clone());
+        if let Some(column) = self.column_of(pair).filter(|column| !column.is_slab()) {
+            let side = usize::from(self.is_on_left(column));
+            names[side] = self.column_name(column);
+        }
+        names
     }
 
     /// Returns the same floors without any contact.
     pub(crate) fn apart(&self) -> Self {
         Self {
             facing: Vec::new(),
+            hits_columns: Vec::new(),
             ..self.clone()
         }
     }

@@ -2,7 +2,7 @@
 
 use crate::simulation::floors::{Floor, FloorPair, Floors};
 use crate::{Columns, Method, Scene, Structure};
-use pounding_contact::{ContactLaw, Stereomechanical};
+use pounding_contact::{ContactLaw, LinearSpring, Stereomechanical};
 use pounding_solver::{
     AnyRow, Bilinear, BoucWen, CentralDifference, Clock, Elastic, Exact, Hht, Hysteretic, Integrator, Mixed, ModelError, MoreauJean,
     Newmark, Node, Pair, Rk4, Row, Smoothness, Storey, Verlet,
@@ -96,9 +96,21 @@ fn pairs(scene: &Scene, floors: &Floors) -> impl Iterator<Item = Pair> {
     let contacts = scene.contacts.as_deref().unwrap_or_default();
     let pair = |facing: &FloorPair| {
         let contact = &contacts[facing.contact];
-        Pair::of_floors(facing.left, facing.right, contact.gap_m, contact.law)
+        let [left, right] = floors.points(facing);
+        let bends = floors.column_of(facing).and_then(|column| column.bending_stiffness(floors));
+        Pair::new(left, right, contact.gap_m, in_series(contact.law, bends))
     };
     floors.facing().iter().map(pair)
+}
+
+/// The law of a contact with a column that bends: of a linear spring, both stiffnesses stand in series. Other laws are left as they are.
+fn in_series(law: ContactLaw, bending: Option<f64>) -> ContactLaw {
+    match (law, bending) {
+        (ContactLaw::LinearSpring(LinearSpring { impact_stiffness }), Some(bending)) => ContactLaw::LinearSpring(LinearSpring {
+            impact_stiffness: impact_stiffness * bending / (impact_stiffness + bending),
+        }),
+        _ => law,
+    }
 }
 
 fn pairs_out_of_reach(floors: &Floors) -> Vec<Pair> {

@@ -1,8 +1,8 @@
 //! Summary of the collisions of one pair: its printed numbers.
 
-use pounding_solver::{Closing, Collision, Pair, Peak};
+use pounding_solver::{Closing, Collision, Peak};
 
-use super::RunResult;
+use super::{RunResult, Simulation};
 
 /// Summary of collisions, usually those of one pair.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
@@ -101,9 +101,14 @@ impl RunResult {
 
     /// Least opening of the gap of a pair \[m\] and its instant \[s\]; `found` is the summary of the pair. `None` if closings were not
     /// recorded.
-    pub fn least_opening(&self, pair: &Pair, found: &PairOutcome) -> Option<(f64, f64)> {
-        let closing = self.closings.as_ref()?.of(pair.left());
-        Some(found.least_opening(pair.gap(), closing))
+    pub(crate) fn least_opening(&self, simulation: &Simulation, pair: usize, found: &PairOutcome) -> Option<(f64, f64)> {
+        let closings = self.closings.as_ref()?;
+        let facing = simulation.floors().facing()[pair];
+        let closing = match facing.column {
+            Some(column) => closings.of_column(column, false),
+            None => closings.of(facing.left),
+        };
+        Some(found.least_opening(simulation.pairs()[pair].gap(), closing))
     }
 
     /// Sums up the collisions of a pair.

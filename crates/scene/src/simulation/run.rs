@@ -9,7 +9,7 @@ use pounding_solver::{
 
 use super::Simulation;
 use crate::settings::out_of_range;
-use crate::{Error, Method, Structure, UnwatchedFloor};
+use crate::{ColumnBeside, Error, Method, Structure};
 use pounding_text::{RefusalKind, Refused, digits, short};
 
 /// Number of looks at a motion in the shortest natural period, unless its series allows fewer; see [`Closings`].
@@ -221,13 +221,13 @@ impl Simulation {
         closings.beside(columns.iter().map(|one| self.beside_column(one)).collect())
     }
 
-    fn beside_column(&self, one: &UnwatchedFloor) -> BesideColumn {
+    fn beside_column(&self, one: &ColumnBeside) -> BesideColumn {
         BesideColumn {
             floor: one.floor,
-            is_left: self.floors.all()[one.floor].structure == one.gap,
+            is_left: self.floors.is_on_left(one),
             below: one.below,
             above: one.above,
-            along: one.along,
+            upper_part: one.upper_part(),
         }
     }
 

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use pounding_scene::{ExcessKind, Implausible, Scene, Simulation};
+use pounding_scene::{ExcessKind, Implausible, Scene, Simulation, UnwatchedFloor};
 
 /// Floors at 3, 6.5 and 9.5 m beside floors at 3, 7, 11 and 15 m. Only the lowest floors may touch.
 const STAGGERED: &str = r#"
@@ -33,7 +33,12 @@ fn issue_levels_do_not_silence_floors_beside_columns() {
         let peaks = (0..simulation.floors().all().len()).map(peak).collect::<Vec<_>>();
         let mut excesses = simulation.excesses(&result).into_iter();
         let found = excesses.find(|one| one.kind == ExcessKind::AtColumn);
-        (found, simulation.floors().unwatched(), peaks)
+        let floors = simulation.floors();
+        let columns = floors.unwatched().into_iter().filter_map(|one| match one {
+            UnwatchedFloor::Column(column) => Some(floors.beside_all_columns()[column]),
+            UnwatchedFloor::Level { .. } => None,
+        });
+        (found, columns.collect::<Vec<_>>(), peaks)
     };
     let (found, at_columns, peaks) = judged(STAGGERED);
     assert_eq!(at_columns.len(), 3, "{at_columns:?}");
@@ -43,7 +48,8 @@ fn issue_levels_do_not_silence_floors_beside_columns() {
     let own = at_columns.iter().find(|one| one.floor == found.floor).expect("it is there");
     assert!((own.along - 0.625).abs() < 1e-12);
     let [foot, head] = [own.below.expect("a floor"), own.above].map(|floor| peaks[floor]);
-    let reach = peaks[own.floor] + 0.375 * foot + 0.625 * head - 0.02;
+    let upper = 0.625 * 0.625 * (3.0 - 2.0 * 0.625);
+    let reach = peaks[own.floor] + (1.0 - upper) * foot + upper * head - 0.02;
     assert!((found.found - reach).abs() < 1e-15, "{} {reach}", found.found);
     let (wide, ..) = judged(&STAGGERED.replace("gap_m = 0.02", "gap_m = 1"));
     assert_eq!(wide, None, "nothing closes a metre");

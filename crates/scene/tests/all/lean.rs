@@ -60,6 +60,8 @@ fn contact() -> impl Strategy<Value = Contact> {
         gap_m,
         law,
         levels: None,
+        heights_m: None,
+        column_shape: pounding_scene::ColumnShape::Fixed,
         property: Property::Other,
     })
 }

@@ -1,5 +1,6 @@
 //! Tests of scenes; the kind of each is in its name.
 
+mod beside;
 mod capacities;
 mod certificates;
 mod errors;

@@ -18,7 +18,7 @@ pub struct Closing {
     pub time: f64,
 }
 
-/// A floor beside a column of its neighbour, between the floors at both ends of the column.
+/// A floor beside a column of its neighbour, whose motion lies between those of its ends.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct BesideColumn {
     /// The floor.
@@ -29,22 +29,21 @@ pub struct BesideColumn {
     pub below: Option<usize>,
     /// Floor at the head of the column.
     pub above: usize,
-    /// Position of the floor along the column \[–\], more than 0 at the foot and less than 1 at the head.
-    pub along: f64,
+    /// Part of the head in the motion of the column beside the floor \[–\], more than 0 and at most 1; the foot has the rest.
+    pub upper_part: f64,
 }
 
 impl BesideColumn {
-    /// Weights of the motions of the floor, the head and the foot of the column in the closing: the column is straight between its ends.
-    fn weights(&self) -> [f64; 3] {
+    /// The gap between the floor and the column: the weights of their motions. Ground that does not travel has no motion; the motion of ground
+    /// that does is part of the column's.
+    fn gap(&self, travels: bool) -> Gap {
         let side = if self.is_left { 1.0 } else { -1.0 };
-        [side, -side * self.along, -side * (1.0 - self.along)]
-    }
-
-    /// The gap between the floor and the column. Ground that does not travel has no motion.
-    fn gap(&self) -> Gap {
-        let weights = self.weights();
-        let parts = if self.below.is_some() { 3 } else { 2 };
-        Gap::of(&weights[..parts])
+        let head = -side * self.upper_part;
+        match self.below {
+            Some(_) => Gap::of(&[side, head, -side - head]),
+            None if travels => Gap::of(&[side, -side]),
+            None => Gap::of(&[side, head]),
+        }
     }
 
     /// Index of the motion of a node in the gap.
@@ -53,10 +52,10 @@ impl BesideColumn {
         parts.iter().position(|part| *part == Some(node))
     }
 
-    /// The motion of the head of a column that stands on travelling ground, with the share of the ground in the column's motion.
+    /// The motion of a column that stands on travelling ground, beside the floor.
     fn on_ground(&self, head: Cubic, travel: Option<&Travel>) -> Cubic {
-        let share = (1.0 - self.along) / self.along;
-        head.plus(head.of_ground(self.above, travel).times(share))
+        let ground = head.of_ground(self.above, travel);
+        head.times(self.upper_part).plus(ground.times(1.0 - self.upper_part))
     }
 }
 
@@ -105,10 +104,11 @@ impl Closings {
         Self { reversed, ..self }
     }
 
-    /// Also records the closings of floors and columns. Comes before [`Self::both_ways`].
+    /// Also records the closings of floors and columns. Comes after [`Self::travelled`] and before [`Self::both_ways`].
     #[must_use]
     pub fn beside(mut self, columns: Vec<BesideColumn>) -> Self {
-        self.gaps.extend(columns.iter().map(BesideColumn::gap));
+        let travels = self.travel.is_some();
+        self.gaps.extend(columns.iter().map(|column| column.gap(travels)));
         Self { columns, ..self }
     }
 

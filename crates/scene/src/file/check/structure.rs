@@ -140,7 +140,13 @@ fn check_capacities(told: &Capacities, height: Option<f64>, place: FieldPlace) -
         )?;
     }
     let force = told.shear_capacity_n.unwrap_or(1.0);
-    require(force > 0.0, place.field("shear_capacity_n"), force, POSITIVE)
+    require(force > 0.0, place.field("shear_capacity_n"), force, POSITIVE)?;
+    let force = told.column_capacity_n.unwrap_or(1.0);
+    require(force > 0.0, place.field("column_capacity_n"), force, POSITIVE)?;
+    let depth = told.slab_depth_m.unwrap_or(0.0);
+    require(depth >= 0.0, place.field("slab_depth_m"), depth, NOT_NEGATIVE)?;
+    let columns = f64::from(told.columns.unwrap_or(1));
+    require(columns >= 1.0, place.field("columns"), columns, "a whole number from 1")
 }
 
 fn check_yielding(columns: &Columns, place: FieldPlace) -> Result<(), Refused> {

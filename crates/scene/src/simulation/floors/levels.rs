@@ -6,27 +6,22 @@ use pounding_text::{Refused, digits};
 use super::EQUAL_HEIGHTS;
 use crate::{Contact, Scene, Structure};
 
-/// Finds the levels of a scene whose structures were checked, and the contacts that are not modelled because floors face columns.
+/// Finds the levels of a scene whose structures were checked.
 ///
 /// # Errors
-/// [`Refused`] if a floor would hit the columns of a neighbour, if heights are missing that decide it, or if a contact names levels at which
-/// nothing can touch.
-pub(super) fn of(scene: &Scene) -> Result<(Levels, Vec<usize>), Refused> {
+/// [`Refused`] if heights are missing or contradict `floors`, or if a contact names levels at which nothing can touch.
+pub(super) fn of(scene: &Scene) -> Result<Levels, Refused> {
     let elevations: Vec<_> = scene.structures.iter().map(elevations).collect();
     let known = Heights::of(scene, &elevations);
     if known == Heights::Counted {
         check_told(scene, &elevations)?;
     }
     let mut levels = levels_of(scene, &elevations, known);
-    let mut unmodelled = Vec::new();
     for (contact, one) in scene.contacts.iter().flatten().enumerate() {
         let facing = facing(scene, &levels, contact);
         match &one.levels {
             Some(chosen) if !facing.is_empty() => check_chosen(scene, contact, chosen, &facing)?,
-            _ if known == Heights::Known => match check_heights(scene, &elevations, contact, &facing) {
-                Err(_) if scene.seeks_gaps && scene.floors.is_none() => unmodelled.push(contact),
-                checked => checked?,
-            },
+            _ if known == Heights::Known && scene.floors.is_some() => check_level(scene, &elevations, contact)?,
             _ => {}
         }
     }
@@ -35,7 +30,7 @@ pub(super) fn of(scene: &Scene) -> Result<(Levels, Vec<usize>), Refused> {
             levels[wall] = levels_of_wall(scene, &levels, wall);
         }
     }
-    Ok((Levels::at(&levels), unmodelled))
+    Ok(Levels::at(&levels))
 }
 
 /// Refuses a building of several storeys beside another structure if nothing tells which of their floors face each other.
@@ -165,8 +160,8 @@ fn list(counts: &[usize]) -> String {
     counts.join(", ")
 }
 
-/// Refuses floors that face no floor of a neighbour, up to the lower of both roofs.
-fn check_heights(scene: &Scene, elevations: &[Option<Vec<f64>>], contact: usize, facing: &[usize]) -> Result<(), Refused> {
+/// Refuses floors that face no floor of a neighbour, up to the lower of both roofs, though the scene says that floors are level.
+fn check_level(scene: &Scene, elevations: &[Option<Vec<f64>>], contact: usize) -> Result<(), Refused> {
     let (Some(left), Some(right)) = (&elevations[contact], &elevations[contact + 1]) else {
         return Ok(());
     };
@@ -187,17 +182,10 @@ fn check_heights(scene: &Scene, elevations: &[Option<Vec<f64>>], contact: usize,
                 digits(*height),
                 heights.join(", ")
             );
-            let those_that_face = match list(facing) {
-                none if none.is_empty() => none,
-                levels => format!("levels = [{levels}] lets those touch that do, and no others. "),
-            };
-            let place = scene.floors.map_or_else(|| format!("contacts[{contact}]"), |_| "floors".into());
-            let found = Refused::at(place).found(found);
-            let found = found.but("; allowed are ", "floors that face floors, up to the lower roof");
-            return Err(found.so(": ", those_that_face).and(
-                "A floor that hits columns between floors can bring a building down, and that contact is not \
-                 modelled; `pounding gap` and `pounding assess` find the width that keeps floors from columns",
-            ));
+            let found = Refused::at("floors").found(found);
+            return Err(found
+                .but("; allowed are ", "floors that face floors, up to the lower roof")
+                .help("leave out `floors`: heights that are given decide themselves, and slabs then meet what stands at their height"));
         }
     }
     Ok(())

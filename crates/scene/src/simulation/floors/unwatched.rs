@@ -1,70 +1,65 @@
 //! Floors whose touches no contact models: floors beside columns of a neighbour, and levels that `levels` leaves out.
 
-use super::{EQUAL_HEIGHTS, Floors};
+use super::{ColumnBeside, Floors};
 
-/// A floor, and the column or floor beside it in the neighbouring building, if no contact models their touches.
+/// What a floor faces if no contact models their touches.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct UnwatchedFloor {
-    /// Index of the gap between both, from the left.
-    pub gap: usize,
-    /// Index of the floor in the row; of two floors of a level the left one.
-    pub floor: usize,
-    /// Floor at the foot of the column; `None` if the column stands on the ground.
-    pub below: Option<usize>,
-    /// Floor at the head of the column, or the floor of the same level.
-    pub above: usize,
-    /// Position of the floor along the column \[–\]: 0 at the foot, 1 at the head and for a floor of the same level.
-    pub along: f64,
+pub enum UnwatchedFloor {
+    /// A column of the neighbour, by its index in [`Floors::beside_all_columns`].
+    Column(usize),
+    /// The floor of the same level.
+    Level {
+        /// Index of the gap between both, from the left.
+        gap: usize,
+        /// Left and right floor.
+        floors: [usize; 2],
+    },
 }
 
 impl UnwatchedFloor {
     /// Whether it faces a floor instead of a column.
     pub fn is_level(&self) -> bool {
-        self.along >= 1.0
-    }
-
-    /// Whether it is a base slab at the ground, which faces the foot of its neighbour.
-    pub(crate) fn is_at_ground(&self) -> bool {
-        self.along <= 0.0
+        matches!(self, Self::Level { .. })
     }
 }
 
 impl Floors {
-    /// Finds floors beside columns, up to the lower roof of two neighbours with given heights, and floors of levels that contacts leave
-    /// out. A wall stands only at the levels of its contact.
+    /// Finds floors beside columns, up to the lower roof of two neighbours with given heights, and floors of levels, that no contact lets
+    /// touch. A wall stands only at the levels of its contact.
     pub fn unwatched(&self) -> Vec<UnwatchedFloor> {
         let gaps = 0..self.structures.len().saturating_sub(1);
         gaps.flat_map(|gap| self.unwatched_in(gap)).collect()
     }
 
     fn unwatched_in(&self, gap: usize) -> Vec<UnwatchedFloor> {
-        let facing: Vec<_> = self.levels.facing(gap).collect();
-        let meets = |one: &UnwatchedFloor| facing.iter().any(|(l, r)| [*l, *r].contains(&one.floor));
-        let mut all: Vec<_> = self.beside_columns(gap);
-        all.retain(|one| !meets(one));
+        let columns = (0..self.beside.len()).filter(|column| self.beside[*column].gap == gap);
+        let columns = columns.filter(|column| !self.facing.iter().any(|pair| pair.column == Some(*column)));
         let moves = |floor: usize| !self.all[floor].is_wall();
-        let is_watched = |left: usize| {
-            let found = self.facing.binary_search_by_key(&left, |one| one.left);
-            found.is_ok() || self.facing.is_empty()
+        let is_watched = |left: usize, right: usize| {
+            let mut facing = self.facing.iter();
+            self.facing.is_empty() || facing.any(|one| one.column.is_none() && [one.left, one.right] == [left, right])
         };
-        let left_out = facing
-            .iter()
-            .filter(|_| !self.is_unmodelled(gap))
-            .filter(|(left, right)| moves(*left) && moves(*right) && !is_watched(*left));
-        all.extend(left_out.map(|(left, right)| UnwatchedFloor {
+        let left_out = self.levels.facing(gap);
+        let left_out = left_out.filter(|(left, right)| moves(*left) && moves(*right) && !is_watched(*left, *right));
+        let left_out = left_out.map(|(left, right)| UnwatchedFloor::Level {
             gap,
-            floor: *left,
-            below: None,
-            above: *right,
-            along: 1.0,
-        }));
-        all
+            floors: [left, right],
+        });
+        columns.map(UnwatchedFloor::Column).chain(left_out).collect()
+    }
+
+    /// The floor that is meant; of two floors of a level the left one.
+    pub(crate) fn unwatched_floor(&self, one: &UnwatchedFloor) -> usize {
+        match one {
+            UnwatchedFloor::Column(column) => self.beside[*column].floor,
+            UnwatchedFloor::Level { floors, .. } => floors[0],
+        }
     }
 
     /// Sentences about floors whose touches no contact models, even if they stay out of reach.
     pub fn says_unwatched(&self) -> Option<String> {
         let all = self.unwatched();
-        let first = &self.all[all.first()?.floor].name;
+        let first = &self.all[self.unwatched_floor(all.first()?)].name;
         Some(format!(
             "floors that face a column, or a floor that `levels` leaves out: {}, the first {first}; neither is modelled",
             all.len()
@@ -75,7 +70,7 @@ impl Floors {
     pub fn left_out(&self, gap: usize) -> Option<String> {
         let all = self.unwatched_in(gap).into_iter();
         let all = all.filter(UnwatchedFloor::is_level);
-        let levels: Vec<usize> = all.map(|one| self.levels.level(one.floor) + 1).collect();
+        let levels: Vec<usize> = all.map(|one| self.levels.level(self.unwatched_floor(&one)) + 1).collect();
         let [left, right] = [gap, gap + 1].map(|one| &self.structures[one]);
         let levels = match levels[..] {
             [] => return None,
@@ -91,19 +86,11 @@ impl Floors {
         Some(format!("{levels} of {left} and {right}"))
     }
 
-    /// Floors beside columns, of every gap from the left.
-    pub fn beside_all_columns(&self) -> Vec<UnwatchedFloor> {
-        let mut all = self.unwatched();
-        all.retain(|one| !one.is_level());
-        all
-    }
-
     /// A sentence about the floors of a gap that face columns; `None` if there are none.
     pub fn says_columns(&self, gap: usize) -> Option<String> {
-        let all = self.unwatched_in(gap);
+        let all = self.beside.iter().filter(|one| one.gap == gap);
         let names: Vec<&str> = all
-            .iter()
-            .filter(|one| !one.is_level() && !one.is_at_ground())
+            .filter(|one| !one.is_slab() && !one.is_at_ground())
             .map(|one| self.all[one.floor].name.as_str())
             .collect();
         let first = names.first()?;
@@ -111,9 +98,7 @@ impl Floors {
             1 => format!("{first} faces a column of its neighbour"),
             n => format!("{n} floors face columns of the neighbour, the first {first}"),
         };
-        Some(format!(
-            "{floors}: a floor that hits a column can bring the building down, and that contact is not modelled."
-        ))
+        Some(format!("{floors}: a floor that hits a column can bring the building down."))
     }
 
     /// Whether floors on both sides of a gap are level up to the lower roof, by the heights in the scene or by its field `floors`.
@@ -121,39 +106,14 @@ impl Floors {
         let sides = [gap, gap + 1];
         let are_walls = sides.map(|one| self.of_structure(one).iter().any(|floor| self.all[*floor].is_wall()));
         let known = sides.map(|one| self.heights_of(one).is_some());
-        let faces_none = self.beside_columns(gap).iter().all(UnwatchedFloor::is_at_ground);
+        let mut beside = self.beside.iter().filter(|one| one.gap == gap);
+        let faces_none = beside.all(ColumnBeside::is_at_ground);
         (known == [true; 2] || self.told_level) && are_walls == [false; 2] && faces_none
     }
 
     /// Heights of the floors of a structure, from the ground up; `None` if some are unknown, and for a wall.
-    fn heights_of(&self, structure: usize) -> Option<Vec<f64>> {
+    pub(super) fn heights_of(&self, structure: usize) -> Option<Vec<f64>> {
         let floors = self.of_structure(structure).iter();
         floors.map(|floor| self.all[*floor].elevation_m).collect()
-    }
-
-    /// Floors on both sides of a gap that are level with no floor of the other side.
-    fn beside_columns(&self, gap: usize) -> Vec<UnwatchedFloor> {
-        let of = |own, other| self.beside_columns_of(gap, own, other);
-        [of(gap, gap + 1), of(gap + 1, gap)].concat()
-    }
-
-    fn beside_columns_of(&self, gap: usize, own: usize, other: usize) -> Vec<UnwatchedFloor> {
-        let (Some(heights), Some(others)) = (self.heights_of(own), self.heights_of(other)) else {
-            return Vec::new();
-        };
-        let beside = |(floor, height): (&usize, &f64)| {
-            let next = others.iter().position(|one| *one >= height - EQUAL_HEIGHTS)?;
-            let foot = next.checked_sub(1);
-            let low = foot.map_or(0.0, |foot| others[foot]);
-            (others[next] > height + EQUAL_HEIGHTS).then(|| UnwatchedFloor {
-                gap,
-                floor: *floor,
-                below: foot.map(|foot| self.of_structure(other)[foot]),
-                above: self.of_structure(other)[next],
-                along: (height - low) / (others[next] - low),
-            })
-        };
-        let own = self.of_structure(own).iter().zip(&heights);
-        own.filter_map(beside).collect()
     }
 }

@@ -4,7 +4,7 @@ use crate::study::laws::{free_pair, is_linear};
 use pounding_contact::{Calibration, ContactLaw, LawName, Stereomechanical};
 
 use super::random::Random;
-use pounding_scene::{Contact, Property, Structure};
+use pounding_scene::{ColumnShape, Contact, Property, Structure};
 
 /// Approach speed for the calibration of laws that need one \[m/s\].
 const SPEED: f64 = 0.3;
@@ -33,6 +33,8 @@ pub(super) fn all(random: &mut Random, structures: &[Structure]) -> Vec<Contact>
                 gap_m,
                 law,
                 levels,
+                heights_m: None,
+                column_shape: ColumnShape::default(),
                 property: Property::default(),
             },
         });

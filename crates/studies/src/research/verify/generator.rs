@@ -9,7 +9,7 @@ use super::random::Random;
 use super::written::rewritten;
 use pounding_scene::file::Stochastic;
 use pounding_scene::file::{BoucWen, Ground, RunBudget, ScaleTo};
-use pounding_scene::{Building, Capacities, Columns, Contact, Damping, FileUse, FloorHeights, Generated, Method, RecordUse};
+use pounding_scene::{Building, Capacities, ColumnShape, Columns, Contact, Damping, FileUse, FloorHeights, Generated, Method, RecordUse};
 use pounding_scene::{Scene, Sdof, Source, Storey, Structure};
 
 /// Largest number of storeys of a building.
@@ -37,8 +37,46 @@ pub(super) fn scene(seed: u64, index: usize) -> Scene {
         budget: RunBudget::default(),
         seeks_gaps: false,
     };
+    let scene = if index >= FIRST_BESIDE_COLUMNS && index.is_multiple_of(3) {
+        beside_columns(seed, index, scene)
+    } else {
+        scene
+    };
     let all = ["record", "duration_s", "arrivals_s", "structures", "contacts"];
     rewritten(&scene, &all, &mut in_few_digits)
+}
+
+/// From this number on a third of the scenes has floors beside columns; earlier scenes are known by their numbers.
+const FIRST_BESIDE_COLUMNS: usize = 1000;
+
+/// The scene with storeys of any height, so that floors face columns.
+fn beside_columns(seed: u64, index: usize, scene: Scene) -> Scene {
+    let mut random = Random::new(!seed, index);
+    let straight = random.chance(0.3);
+    let mut structures = scene.structures;
+    for structure in &mut structures {
+        let height = random.within(2.6, 4.5);
+        match structure {
+            Structure::Sdof(sdof) => sdof.height_m = Some(height),
+            Structure::Building(building) => {
+                for storey in &mut building.storeys {
+                    storey.height_m = Some(height);
+                }
+            }
+            Structure::Wall => {}
+        }
+    }
+    let contact = |one: Contact| Contact {
+        levels: None,
+        column_shape: if straight { ColumnShape::Straight } else { ColumnShape::Fixed },
+        ..one
+    };
+    Scene {
+        floors: None,
+        structures,
+        contacts: scene.contacts.map(|all| all.into_iter().map(contact).collect()),
+        ..scene
+    }
 }
 
 /// A number rounded to five digits: files with such numbers are easy to read and give exactly this scene.
