@@ -33,6 +33,8 @@ pub enum DesignSpectrum {
 /// Soil factor S \[–\] and corner periods `T_B`, `T_C`, `T_D` \[s\] of a ground type: EN 1998-1:2004, tables 3.2 and 3.3.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Eurocode8Ground {
+    /// Ground type, and type of spectrum.
+    names: [char; 2],
     soil: f64,
     corners: [f64; 3],
 }
@@ -174,7 +176,12 @@ impl Eurocode8Ground {
             ("2", "E") => (1.6, [0.05, 0.25, 1.2]),
             _ => return None,
         };
-        Some(Self { soil, corners })
+        let [ground, kind] = [ground, kind].map(|name| name.chars().next());
+        Some(Self {
+            names: [ground?, kind?],
+            soil,
+            corners,
+        })
     }
 
     /// Ratio of spectral to ground acceleration \[–\], for 5 % of damping.
@@ -199,10 +206,15 @@ impl fmt::Display for DesignSpectrum {
         match self {
             Self::Eurocode8 {
                 ground_acceleration,
-                ground: Eurocode8Ground { soil, corners },
+                ground:
+                    Eurocode8Ground {
+                        names: [ground, kind],
+                        soil,
+                        corners,
+                    },
             } => write!(
                 to,
-                "EN 1998-1 with a_g = {} g = {} m/s², S = {}, T_B, T_C, T_D = {} s",
+                "EN 1998-1, type {kind}, ground {ground}, with a_g = {} g = {} m/s², S = {}, T_B, T_C, T_D = {} s",
                 digits(*ground_acceleration),
                 short(ground_acceleration * STANDARD_GRAVITY),
                 digits(*soil),

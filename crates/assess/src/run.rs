@@ -1,7 +1,9 @@
 //! One run of an assessment: a row under one motion in one direction, alone, beside its neighbours, and with softer and stiffer
 //! contact.
 
-use pounding_scene::{Error, Excess, ExcessKind, Extras, Floors, Implausible, PairQuantity, RunResult, Scene, Simulation, parallel};
+use pounding_scene::{
+    Error, Excess, ExcessKind, Extras, Floors, Implausible, PairOutcome, PairQuantity, RunResult, Scene, Simulation, parallel,
+};
 use serde::Serialize;
 
 use crate::alone::Alone;
@@ -52,7 +54,8 @@ pub struct AssessedPair {
     pub peak_force: Option<[f64; 2]>,
     /// Peak force with the contact stiffness of the scene \[N\]; `None` if the pair does not touch, or if its law is impulsive.
     pub own_force: Option<f64>,
-    /// Least and largest of the runs' largest impulses over the contact stiffness \[N·s\]; `None` if the pair does not touch.
+    /// Least and largest of the runs' largest impulses of a blow over the contact stiffness \[N·s\]; `None` if the pair does not touch, or only
+    /// leans.
     pub largest_impulse: Option<[f64; 2]>,
     /// Largest speed of approach at the start of a collision \[m/s\], with the contact stiffness of the scene.
     pub approach_speed: Option<f64>,
@@ -107,6 +110,8 @@ impl AssessedRun {
             ..Extras::default()
         })?;
         let excesses = exact.excesses(&beside);
+        let disbelieved_beside = beyond_belief(&excesses).cloned();
+        let excesses = with_those_alone(excesses, &alone.excesses);
         let mut pushes = beside.collisions.all().iter();
         let mut variants = Vec::new();
         if pushes.any(|one| one.peak_force.is_some()) {
@@ -132,7 +137,7 @@ impl AssessedRun {
             floors: (0..before.len()).map(floor).collect(),
             pairs: pairs.map(|pair| assessed_pair(&exact, &variants, pair)).collect(),
             disbelieved_alone: beyond_belief(&alone.excesses).cloned(),
-            disbelieved_beside: beyond_belief(&excesses).cloned(),
+            disbelieved_beside,
             excesses,
             unusual: simulation.doubts(),
         })
@@ -167,13 +172,28 @@ const MOST_BELIEVED: [(ExcessKind, f64); 4] = [
     (ExcessKind::Stability, 1.0),
 ];
 
+/// Adds drifts and forces of the buildings alone that are worse than any beside the neighbours: widths come from these runs, and a wider gap
+/// leaves the buildings to them.
+fn with_those_alone(mut beside: Vec<Excess>, alone: &[Excess]) -> Vec<Excess> {
+    for one in alone.iter().filter(|one| one.kind.strains()) {
+        let share = one.share();
+        let mut same = beside.iter().filter(|other| other.kind == one.kind);
+        if same.all(|other| other.share() < share) {
+            beside.retain(|other| other.kind != one.kind);
+            beside.push(Excess {
+                name: format!("{} alone", one.name),
+                ..one.clone()
+            });
+        }
+    }
+    beside.sort_by_key(|one| one.kind);
+    beside
+}
+
 /// Returns the response that is farthest beyond belief: a building with it would hardly stand. `None` if all are believed.
 pub fn beyond_belief<'e>(excesses: impl IntoIterator<Item = &'e Excess>) -> Option<&'e Excess> {
     let share = |one: &Excess| {
-        // A storey that is told to fail fails.
-        if let Some(capacity) = one.capacity {
-            return one.found / capacity;
-        }
+        // A capacity of the scene drops no event: it would make widths narrower for weaker buildings.
         let mut limits = MOST_BELIEVED.iter();
         let limit = limits.find(|(kind, _)| *kind == one.kind);
         limit.map_or(0.0, |(_, most)| one.found / most)
@@ -200,9 +220,15 @@ fn assessed_pair(simulation: &Simulation, runs: &[RunResult], pair: usize) -> As
         collisions: own.collisions_of(pair).count(),
         peak_force: over(PairQuantity::PeakForceN),
         own_force: own.values(simulation).of(PairQuantity::PeakForceN, pair),
-        largest_impulse: over(PairQuantity::LargestImpulseNS),
+        largest_impulse: range(runs.iter().filter_map(|run| largest_blow(run, pair))),
         approach_speed: speeds.reduce(f64::max),
     }
+}
+
+/// Largest impulse of a pair in a collision that is a blow \[N·s\]: a building that leans on its neighbour pushes for as long as it leans.
+fn largest_blow(run: &RunResult, pair: usize) -> Option<f64> {
+    let blows = run.collisions_of(pair).filter(|one| one.end - one.start <= PairOutcome::LEANS);
+    blows.map(|one| one.impulse).reduce(f64::max)
 }
 
 /// Least and largest of the finite numbers; `None` if there are none.

@@ -1,6 +1,6 @@
 //! What a run or an assessment assumes, in a table: a checking engineer asks for it before the numbers.
 
-use pounding_scene::{Contact, Damping, Floors, Scene, Structure};
+use pounding_scene::{Contact, Damping, Floors, Scene, Simulation, Structure};
 use pounding_text::{Grid, Shown, Table, digits, short, two_digits};
 
 /// An assumption.
@@ -119,13 +119,15 @@ fn of_contact(scene: &Scene, floors: &Floors, gap: usize, contact: &Contact) -> 
         stiffness_source(contact),
     );
     let (level, source) = if contact.levels.is_some() {
-        ("only the levels that the scene names can touch", SCENE)
+        ("only the levels that the scene names can touch".to_owned(), SCENE)
     } else if floors.of_structure(gap).len() == 1 && floors.of_structure(gap + 1).len() == 1 {
-        ("one floor each, taken as level", DEFAULT)
+        ("one floor each, taken as level".into(), DEFAULT)
+    } else if let Some(columns) = floors.says_columns(gap) {
+        (columns.split(':').next().unwrap_or_default().to_owned(), SCENE)
     } else if floors.are_level(gap) {
-        ("level, by the heights of the storeys", SCENE)
+        ("level, by the heights of the storeys".into(), SCENE)
     } else {
-        ("level, as the scene says", SCENE)
+        ("level, as the scene says".into(), SCENE)
     };
     vec![law.of(&between), Assumed::new("Floors", level, source).of(&between)]
 }
@@ -147,8 +149,14 @@ fn stiffness_source(contact: &Contact) -> &'static str {
 }
 
 /// A duration and what it follows from.
-pub(crate) fn duration(scene: &Scene, duration: f64) -> Assumed {
-    let source = if scene.duration_s.is_some() {
+pub(crate) fn duration(prepared: &Simulation) -> Assumed {
+    let duration = prepared.duration();
+    let by_default = Scene {
+        duration_s: None,
+        ..prepared.scene().clone()
+    };
+    let by_default = by_default.duration_under(prepared.record().duration());
+    let source = if (duration - by_default).abs() > 1e-9 * duration {
         SCENE
     } else {
         "default: the record and two of the longest periods"

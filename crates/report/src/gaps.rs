@@ -51,6 +51,13 @@ impl UnderMotion for GapsUnderMotion {
         &self.cautions
     }
 
+    fn warnings(scene: &Scene) -> Vec<String> {
+        let RecordUse { scale, scale_to, .. } = &scene.record;
+        let is_unscaled = scale_to.is_none() && (scale - 1.0).abs() <= 0.0;
+        let said = "the records are as strong as in their files: the widths are for their earthquakes, not for a site (`pounding assess --target`)";
+        is_unscaled.then(|| said.to_owned()).into_iter().collect()
+    }
+
     fn facts(&self, scene: &Scene) -> Value {
         json!({"gaps": numbers(scene, &Rule::COMMON, Table::of(&self.separations), |one| Some(*one)).json()})
     }
@@ -111,7 +118,7 @@ pub(crate) fn says_moat(floors: &Floors) -> Option<String> {
     (!isolated.is_empty()).then(|| {
         format!(
             "Beside {} only the sum of both peaks is given: rules for joints between buildings do not size the moat of a building on \
-             isolators. GB 50011-2010, 12.2.7, asks for 1.2 times the displacement in the rare earthquake, and at least 200 mm.",
+             isolators, and whether these bear their displacement is not judged here. GB 50011-2010, 12.2.7, asks for 1.2 times the displacement in the rare earthquake, and at least 200 mm.",
             isolated.join(" and ")
         )
     })
@@ -157,6 +164,7 @@ impl RequiredAt {
             own: self.own,
             needed: all.required.largest(),
             rules: &all.rules,
+            not_counted: self.not_counted.clone(),
             sample: "event",
         })
     }
@@ -245,9 +253,9 @@ fn of_gap<'a>(folder: &OfFolder<'a, GapsUnderMotion>, answer: Answer<'a>, gap: &
         .own
         .map_or_else(String::new, |own| format!(", {} mm in the scene", digits(own * 1e3)));
     let told = || says_columns(scene, gap.left);
-    let mut said = gap.all.as_ref().map_or_else(Vec::new, |all| result(all, gap.own, told(), shown));
+    let mut said: Vec<String> = gap.not_counted.iter().cloned().collect();
+    said.extend(gap.all.as_ref().map_or_else(Vec::new, |all| result(all, gap.own, told(), shown)));
     said.extend(gap.widest.iter().map(|widest| format!("largest under {widest}")));
-    said.extend(gap.not_counted.clone());
     let table = Table::of(found).shown("Record", |(line, _)| line.name());
     answer
         .say(Where::Terminal, "Gap", vec![format!("{one} – {other}{in_scene}")])
@@ -284,9 +292,9 @@ fn believed<'a>(folder: &OfFolder<'a, GapsUnderMotion>, gap: usize) -> BelievedW
     let widest = widest.map(|(line, found, _)| format!("{}{}", line.name(), factor(found.scale)));
     let worst = beyond_belief(doubted.iter().map(|(_, excess)| *excess)).map(|worst| {
         let n = events.len();
-        let s = if n == 1 { "" } else { "s" };
+        let events = if n == 1 { "event is" } else { "events are" };
         format!(
-            "{n} event{s} not counted: a building would hardly stand even alone, whatever the gap ({}: {})",
+            "{n} {events} not counted, under which a building would hardly stand even alone, whatever the gap ({}: {})",
             worst.name,
             worst.kind.brief(worst.found)
         )

@@ -78,10 +78,10 @@ impl<'a> Motion<'a> {
     }
 
     /// Open width of the gap of a pair \[m\]; negative while its neighbours overlap.
-    pub(super) fn opening(&self, pair: usize, row: usize) -> f64 {
-        let pair = self.prepared.pairs()[pair];
+    pub(super) fn opening(&self, place: usize, row: usize) -> f64 {
+        let pair = self.prepared.pairs()[place];
         let (left, right) = (pair.left(), pair.right());
-        let [left_moved, right_moved] = [left, right].map(|node| self.states(node)[row].displacement);
+        let [left_moved, right_moved] = self.points(place, row);
         let own = pair.gap() + right_moved - left_moved;
         let bases = |travel: &Travel| travel.opening([left, right], self.time(row)).displacement;
         own - self.travel.map_or(0.0, bases)
@@ -93,10 +93,24 @@ impl<'a> Motion<'a> {
         self.prepared.record().at(time - arrival)
     }
 
-    /// Pounding force of a compliant pair \[N\], ≥ 0.
+    /// Displacements of both points of a pair \[m\].
+    pub(super) fn points(&self, pair: usize, row: usize) -> [f64; 2] {
+        let points = self.prepared.pairs()[pair].relation.points();
+        points.map(|point| point.of(|node| self.states(node)[row].displacement))
+    }
+
+    /// Whether a floor tells the force of a compliant pair.
+    pub(super) fn tells_force(&self, pair: usize) -> bool {
+        self.prepared.pairs()[pair].law.is_compliant() && !self.floors().shares_floors(pair)
+    }
+
+    /// Pounding force of a compliant pair \[N\], ≥ 0; NaN if no floor tells it.
     pub(super) fn force(&self, pair: usize, row: usize) -> f64 {
         // A wall does not move, whatever pushes it: its neighbour tells the force.
         let facing = self.floors().facing()[pair];
+        if self.floors().shares_floors(pair) {
+            return f64::NAN;
+        }
         if self.floors().all()[facing.left].is_wall() {
             self.states(facing.right)[row].force_from_left
         } else {
@@ -118,7 +132,7 @@ pub enum HistoryQuantity {
     ShearForce,
     /// Displacement of a floor relative to the one below \[m\].
     Drift,
-    /// Pounding force of a pair \[N\], ≥ 0; 0 of laws that act by impulses.
+    /// Pounding force of a pair \[N\], ≥ 0; 0 of laws that act by impulses, NaN where a floor has several contacts on a side.
     PoundingForce,
     /// Open width of the gap of a pair \[m\]; negative while its floors overlap.
     Opening,
@@ -177,7 +191,7 @@ pub(super) fn csv(prepared: &Simulation, motion: &Motion<'_>) -> String {
     let names = Names::of(floors);
     let has_column = |quantity: HistoryQuantity, place: usize| match quantity {
         HistoryQuantity::Drift => has_drift(floors, place),
-        HistoryQuantity::PoundingForce => prepared.pairs()[place].law.is_compliant(),
+        HistoryQuantity::PoundingForce => motion.tells_force(place),
         HistoryQuantity::Opening => true,
         HistoryQuantity::Displacement | HistoryQuantity::Velocity | HistoryQuantity::AbsoluteAcceleration | HistoryQuantity::ShearForce => {
             !floors.all()[place].is_wall()

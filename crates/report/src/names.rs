@@ -23,7 +23,10 @@ impl Names {
         }
         let mut pairs = Vec::new();
         for facing in floors.facing() {
-            let name = format!("{}_{}", structures[facing.left], structures[facing.right]);
+            let name = match facing.column {
+                None => format!("{}_{}", structures[facing.left], structures[facing.right]),
+                Some(_) => floors.names_of(facing).map(|name| plain(&name)).join("_"),
+            };
             add(&mut pairs, name);
         }
         Self { structures, pairs }

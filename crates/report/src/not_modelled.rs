@@ -24,7 +24,7 @@ struct LeftOut {
     says: &'static str,
 }
 
-const ALL: [LeftOut; 8] = [
+const ALL: [LeftOut; 9] = [
     LeftOut {
         applies: |found| found.exceeds(&[ExcessKind::AtColumn, ExcessKind::BesideColumn, ExcessKind::LeftOut]),
         says: "Floors that hit columns of the neighbour, or levels that no contact watches: a slab against a column can bring a building down, \
@@ -49,6 +49,11 @@ const ALL: [LeftOut; 8] = [
                2L/c or some 10 ms for 20 m, and its edge is crushed; both change force and acceleration.",
     },
     LeftOut {
+        applies: |found| found.is_isolated(),
+        says: "Isolators: whether they bear their displacement, stiffen at its end or lift off. A moat as wide as their displacement is no proof \
+               that they do.",
+    },
+    LeftOut {
         applies: |found| found.touch && found.has_wall(),
         says: "Soil behind a wall: the wall is rigid and moves with the ground. Backfill yields, so that its force has a limit and the gap \
                grows with every push.",
@@ -66,6 +71,14 @@ const ALL: [LeftOut; 8] = [
 impl Found<'_> {
     fn exceeds(&self, kinds: &[ExcessKind]) -> bool {
         self.excesses.iter().any(|one| kinds.contains(&one.kind))
+    }
+
+    fn is_isolated(&self) -> bool {
+        let mut buildings = self.scene.structures.iter().filter_map(|one| match one {
+            Structure::Building(building) => building.storeys.first(),
+            Structure::Sdof(_) | Structure::Wall => None,
+        });
+        buildings.any(|lowest| lowest.capacities.isolation_layer == Some(true))
     }
 
     fn has_wall(&self) -> bool {

@@ -14,6 +14,8 @@ pub(crate) struct RuledGap<'a> {
     pub(crate) needed: f64,
     /// Widths by the rules.
     pub(crate) rules: &'a [RuleAssessment],
+    /// Why some events do not count; `None` if all do.
+    pub(crate) not_counted: Option<String>,
     /// The word for a sample: "event", or "case" for an event beside a neighbour that was drawn.
     pub(crate) sample: &'static str,
 }
@@ -57,22 +59,41 @@ impl RuledGap<'_> {
         let narrowed = one.narrowed().map_or_else(String::new, |factor| {
             format!(", with {} for level floors, which accepts that slabs meet", digits(factor))
         });
-        let own = self.own.map_or_else(String::new, |own| {
-            let are = if own < width { "are not enough" } else { "are enough" };
-            format!(
-                " If these motions are at its level, the given {} mm {are} for it.",
-                millimetres(own)
-            )
-        });
-        let more = if width < self.needed {
-            format!(" These motions need {} mm at most to keep them apart.", millimetres_up(self.needed))
+        // Both codes have another width on one property.
+        let has_both = matches!(code, Rule::Eurocode8 | Rule::Asce7);
+        let is_wall = |index: usize| matches!(scene.structures[index], Structure::Wall);
+        let beside_wall = is_wall(self.left) || is_wall(self.left + 1);
+        let owners = if has_both && !beside_wall && self.property(scene) == Property::Other {
+            ", for two owners of the ground"
+        } else {
+            ""
+        };
+        let width_mm = millimetres_up(width);
+        if let Some(why) = self.not_counted.as_ref().filter(|_| code != Rule::Gb50011) {
+            return format!(
+                "By {}: no width between {names}, because {why}; the others would give {width_mm} mm ({of}{few}){owners}{narrowed}.",
+                code.cited()
+            );
+        }
+        let needed = millimetres_up(self.needed);
+        let stronger = if width < self.needed {
+            format!(" The strongest of these motions needs {needed} mm.")
         } else {
             String::new()
         };
+        let own = self.own.map_or(stronger, |own| {
+            let own_mm = millimetres(own);
+            let meets = if own < width { "do not meet it" } else { "meet it" };
+            let keeps = match (own < width, own < self.needed) {
+                (false, true) => format!(", but do not keep them apart: the strongest of these motions needs {needed} mm"),
+                (true, false) => ", though no motion here closes them".into(),
+                _ => String::new(),
+            };
+            format!(" If these motions are at its level, the given {own_mm} mm {meets}{keeps}.")
+        });
         format!(
-            "By {}: {} mm between {names} ({of}{few}){narrowed}.{own}{more}",
-            code.cited(),
-            millimetres_up(width)
+            "By {}: {width_mm} mm between {names} ({of}{few}){owners}{narrowed}.{own}",
+            code.cited()
         )
     }
 }

@@ -23,9 +23,13 @@ impl Site {
         }
     }
 
-    /// Two floors that face each other.
+    /// Two floors that face each other, or a floor and a column.
     pub fn pair(scene: &Scene, floors: &Floors, facing: &FloorPair) -> Self {
-        let [left, right] = [facing.left, facing.right].map(|floor| Self::floor(scene, floors, floor));
+        let [mut left, mut right] = [facing.left, facing.right].map(|floor| Self::floor(scene, floors, floor));
+        if let Some(column) = floors.column_of(facing).filter(|column| !column.is_slab()) {
+            let side = if floors.is_on_left(column) { &mut right } else { &mut left };
+            side.floor = format!("column of storey {}", floors.storey_of(column.above)).into();
+        }
         Self {
             neighbour: right.building,
             neighbour_floor: right.floor,

@@ -255,40 +255,50 @@ impl Sweep {
     /// rows have each end of each axis.
     pub fn unusual(&self) -> Vec<Implausible> {
         let typical = self.plan.typical();
-        let mut of_rows = self.doubts(&typical, false);
+        let mut of_rows = self.doubts(&typical);
+        let mut of_records = Vec::new();
         for (index, axis) in self.plan.axes().iter().enumerate() {
             let of_record = axis.fields.iter().any(|place| place.begins_with("record"));
             for end in axis.ends() {
                 let mut settings = typical.clone();
                 settings[index] = end;
-                of_rows.extend(self.doubts(&settings, of_record));
+                of_rows.extend(self.doubts(&settings));
+                if of_record {
+                    for motion in 0..self.motions.all.len().min(MOST_LOOKED_AT) {
+                        let doubts = self.row(&settings, motion).map_or_else(Vec::new, |row| row.doubts());
+                        let name = self.motions.all[motion].name.clone();
+                        let doubts = doubts.into_iter().filter(|one| !one.is_of_row());
+                        of_records.extend(doubts.map(|one| (name.clone(), one)));
+                    }
+                }
             }
         }
         let of_motions = self.motions.unusual.iter();
         let of_motions = of_motions.map(|(name, one)| (name.as_str(), one));
+        let of_motions = of_motions.chain(of_records.iter().map(|(name, one)| (name.as_str(), one)));
         Implausible::gathered(of_motions.chain(of_rows.iter().map(|one| ("", one))))
     }
 
-    /// Unusual values in the row with these settings and, if they concern the record, in its motion.
-    fn doubts(&self, settings: &[Setting], of_record: bool) -> Vec<Implausible> {
-        let mut doubts = self.row(settings).map_or_else(Vec::new, |row| row.doubts());
-        doubts.retain(|one| of_record || one.is_of_row());
+    /// Unusual values in the row with these settings.
+    fn doubts(&self, settings: &[Setting]) -> Vec<Implausible> {
+        let mut doubts = self.row(settings, 0).map_or_else(Vec::new, |row| row.doubts());
+        doubts.retain(Implausible::is_of_row);
         doubts
     }
 
     /// The row with typical values under the first motion; `None` if it cannot be prepared.
     fn first_row(&self) -> Option<Simulation> {
-        self.row(&self.plan.typical())
+        self.row(&self.plan.typical(), 0)
     }
 
-    /// The row with these values, one for each axis; `None` if it cannot be prepared.
-    fn row(&self, settings: &[Setting]) -> Option<Simulation> {
+    /// The row with these values, one for each axis, under a motion; `None` if it cannot be prepared.
+    fn row(&self, settings: &[Setting], motion: usize) -> Option<Simulation> {
         let mut value = self.scene.clone();
         for (axis, setting) in self.plan.axes().iter().zip(settings) {
             axis.put(*setting, &mut value);
         }
         let scene = trial::scene_of(&value).ok()?;
-        let (scene, motion) = self.motions.shake(0, scene).ok()?;
+        let (scene, motion) = self.motions.shake(motion, scene).ok()?;
         Simulation::shaken(&scene, motion).ok()
     }
 
@@ -341,6 +351,9 @@ impl Read {
 }
 
 /// Tolerance of the exact method in a sweep if the scene gives none: the finest that lanes support.
+/// Most motions whose strength at the ends of an axis is looked at.
+const MOST_LOOKED_AT: usize = 100;
+
 const TOLERANCE: f64 = 1e-12;
 
 /// Sets the tolerance of the exact method to that of a sweep if the scene gives none.

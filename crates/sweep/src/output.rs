@@ -20,6 +20,8 @@ pub(super) struct RowShape {
     structures: Vec<String>,
     floors: Vec<Named>,
     pairs: Vec<FloorPair>,
+    /// Names of both sides of every pair.
+    sides: Vec<[String; 2]>,
 }
 
 /// A floor, or a wall.
@@ -42,6 +44,7 @@ impl RowShape {
             structures: floors.structures().to_vec(),
             floors: named.collect(),
             pairs: floors.facing().to_vec(),
+            sides: floors.facing().iter().map(|pair| floors.names_of(pair)).collect(),
         }
     }
 
@@ -81,8 +84,7 @@ impl RowShape {
             names.map(|(place, name)| (name, vec![place])).collect::<Vec<_>>()
         };
         let between = |[left, right]: [&String; 2]| format!("{left} - {right}");
-        let of_pair = |pair: &FloorPair| between([pair.left, pair.right].map(|floor| &floors[floor]));
-        let pairs: Vec<_> = self.pairs.iter().map(of_pair).collect();
+        let pairs: Vec<_> = self.sides.iter().map(|[left, right]| between([left, right])).collect();
         let names = unique(&self.structures);
         let buildings = (0..names.len()).map(|structure| {
             let own = |place: &usize| self.floors[*place].structure == structure && !self.floors[*place].is_wall;

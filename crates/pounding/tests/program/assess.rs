@@ -182,12 +182,8 @@ fn issue_floors_beside_columns_are_not_called_level() {
     let work = workplace("assess_uneven", &uneven);
     let all = found(&work, &[]);
     assert!(all["gaps"][0]["beside_columns_m"].as_f64() > Some(0.0), "{all}");
-    let said = pounding(&work, &["run", "scene.toml"]).stderr;
-    assert!(
-        said.contains("can bring a building down, and that contact is not modelled"),
-        "{said}"
-    );
-    assert!(!said.contains("leave out"), "{said}");
+    let ended = pounding(&work, &["run", "scene.toml"]);
+    assert!(ended.code == 0 && ended.stdout.contains("column of storey"), "{}", ended.stdout);
 }
 
 #[test]
@@ -305,7 +301,7 @@ fn issue_components_of_one_event_are_one_event() {
     assert_eq!((&all["events"], &all["runs"]), (&1.into(), &4.into()));
     let said = assess(&work, &[]).stdout;
     assert!(said.contains("2 files: 2 motions of 1 event"), "{said}");
-    assert!(said.contains("1 in 2"), "{said}");
+    assert!(said.contains("in about one case of 2"), "{said}");
 }
 
 /// An acceleration was printed with three digits although it depends on an unknown force.

@@ -112,6 +112,10 @@ contacts = [{ gap_m = 0.01, law.linear_spring.impact_stiffness_n_per_m = 1e8 }]
     fs::write(work.join("scene.toml"), scene).expect("a file");
     let ended = pounding(&work, &["run", "scene.toml", "--out", "out"]);
     assert_eq!(ended.code, 0, "{}", ended.stderr);
+    at(&page(&work), "The axis ends soon after the last touch, the run at 60 s.");
+    fs::write(work.join("scene.toml"), scene.replace("gap_m = 0.01", "gap_m = 1")).expect("a file");
+    let ended = pounding(&work, &["run", "scene.toml", "--out", "out", "--overwrite"]);
+    assert_eq!(ended.code, 0, "{}", ended.stderr);
     let page = page(&work);
     let caption = &page[at(&page, "s to the end of the run, at 60 s") - 12..];
     let until: f64 = caption

@@ -210,6 +210,7 @@ fn reference_every_example_runs() {
         [
             "isolated-building-and-moat.toml",
             "row-of-five.toml",
+            "slab-against-column.toml",
             "towers-of-storeys.toml",
             "towers.toml",
             "two-structures.json",

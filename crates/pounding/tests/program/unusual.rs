@@ -174,7 +174,7 @@ fn issue_enough_is_said_with_its_cautions() {
     let [caution, answer, margin] = [
         "Caution: b: drift of ",
         " mm is enough between a and b: they touch in none of 4 runs",
-        "The margin of 1.0 % is less than the spread of the widths (σ ln ",
+        "It is 1.01 times as wide, less than a standard deviation of the widths (",
     ]
     .map(|words| said.find(words).unwrap_or_else(|| panic!("{words}: {said}")));
     assert!(caution < answer && answer < margin, "{said}");

@@ -179,7 +179,7 @@ impl Report<'_> {
         let record = RecordSummary::of(prepared);
         let first = vec![
             Assumed::unless_default("Method", format!("{method}{step}"), scene.method == Method::EXACT),
-            assumed::duration(scene, prepared.duration()),
+            assumed::duration(prepared),
             Assumed::unless_default("Directions of shaking", directions, self.directions.is_some()),
             Assumed::unless_default("Processing of the record", facts::processed(&record), record.processing.is_empty()),
         ];

@@ -67,12 +67,17 @@ impl AssessmentReport {
         let storeys = if worse.is_empty() {
             "No storey gets worse by more than 10 %."
         } else {
-            "Storeys whose drift, shear force or acceleration becomes more than 10 % larger, harmless ones included:"
+            "Storeys whose drift, shear force or acceleration becomes more than 10 % larger:"
         };
         let [from, to] = self.stiffness.map(pounding_text::digits);
+        let runs = match self.assessment.disbelieved {
+            0 => "all runs",
+            n if n == self.assessment.cases => "all runs",
+            _ => "the events that count",
+        };
         let forces = format!(
-            "Largest forces and impulses of all runs: with the contact that gives least to the one that gives most, {from} to {to} times as \
-             stiff as in the scene. Nobody knows the stiffness better, and it decides forces and accelerations."
+            "Largest forces and impulses of {runs}; pushes of more than 0.25 s are no blows and have no impulse here. The range is that of \
+             the contact, {from} to {to} times as stiff as in the scene. Nobody knows the stiffness better, and it decides forces and accelerations."
         );
         let worse = first(&self.storeys(worse));
         let mut answer = answer

@@ -103,6 +103,16 @@ impl AssessmentReport {
             let per_cent = (100.0 * share).floor();
             format!("the mean spectrum has {per_cent:.0} % of the target")
         }));
+        let far = self.far();
+        if let Some(most) = far.iter().max_by(|one, other| one.run.scale.total_cmp(&other.run.scale)) {
+            said.push(format!(
+                "{} of {} motions are scaled too far, up to {} times ({})",
+                far.len(),
+                self.records(),
+                short(most.run.scale),
+                most.name
+            ));
+        }
         if self.is_unscaled() {
             said.push("the records are not scaled to a site".into());
         }

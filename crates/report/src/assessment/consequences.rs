@@ -6,8 +6,8 @@ use pounding_text::{percent, two_decimals, two_digits};
 
 use super::AssessmentReport;
 
-/// Part of its limit \[–\] up to which a drift is harmless, however many times that of the building alone it is: 1 % of the height.
-const HARMLESS: f64 = 0.4;
+/// Part of its limit \[–\] up to which a drift does not lead, however many times that of the building alone it is: 1 % of the height.
+const SMALL: f64 = 0.4;
 
 /// Floors with a response over that alone, and the worst or the best of them.
 struct Changed<'f> {
@@ -47,10 +47,10 @@ impl AssessmentReport {
         Some([drift / made_of.height_m?, limit])
     }
 
-    /// Whether the drift of a storey stays so small that no growth harms it.
-    fn is_harmless(&self, floor: usize, one: &FloorAssessment) -> bool {
+    /// Whether the drift of a storey stays small, however much it grows.
+    fn is_small(&self, floor: usize, one: &FloorAssessment) -> bool {
         let of_limit = self.of_limit(floor, one.largest_drift);
-        of_limit.is_some_and(|[drift, limit]| drift <= HARMLESS * limit)
+        of_limit.is_some_and(|[drift, limit]| drift <= SMALL * limit)
     }
 
     /// Storeys whose drift their columns have to bear: an isolation layer is made to drift.
@@ -84,20 +84,23 @@ impl AssessmentReport {
         let range = if least == most {
             String::new()
         } else {
-            format!("; {least} to {most} over the stiffness of contact")
+            format!("; from {least} on, by the stiffness of contact")
         };
-        let within = if drift > limit { "above" } else { "within" };
+        let within = if drift.max(one.largest_drift_range[1] / one.largest_drift * drift) > limit {
+            "above"
+        } else {
+            "within"
+        };
         let has_capacity = self.floors.all()[floor]
             .made_of
             .is_some_and(|one| one.capacities.drift_capacity_ratio.is_some());
         let whose = if has_capacity {
             "that it bears"
         } else {
-            "of NBCC 2015 for ductile buildings"
+            "of NBCC 2015 for buildings of normal importance"
         };
         Some(format!(
-            "Largest drift when they touch: {} of the storey height ({name}{range}), {within} the {} {whose}; alone {alone}.",
-            percent(drift),
+            "Largest drift when they touch: {most} of the storey height ({name}{range}), {within} the {} {whose}; alone {alone}.",
             percent(limit),
         ))
     }
@@ -105,8 +108,7 @@ impl AssessmentReport {
     /// The range of the largest force over the stiffness of contact.
     fn largest_force(&self) -> Option<String> {
         let (index, pair) = self.hit().into_iter().next()?;
-        let facing = self.floors.facing()[index];
-        let [left, right] = [facing.left, facing.right].map(|floor| self.floor_name(floor));
+        let [left, right] = self.floors.names(index);
         let Some([low, high]) = &pair.peak_force else {
             let speed = two_digits(pair.approach_speed.unwrap_or(0.0));
             return Some(format!(
@@ -147,15 +149,15 @@ impl AssessmentReport {
         })
     }
 
-    /// Storeys whose drift grows, without the harmless ones.
+    /// Storeys whose drift grows, without those that stay small.
     fn worse_drifts(&self) -> Option<String> {
         let grows = |ratio: f64| ratio > FloorAssessment::WORSE;
         let all = self.changed(|_, one| Some(&one.drift), grows, true)?;
-        let harmful = |floor, one| (!self.is_harmless(floor, one)).then_some(&one.drift);
-        let limit = format!("{} of their limit", percent(HARMLESS));
+        let harmful = |floor, one| (!self.is_small(floor, one)).then_some(&one.drift);
+        let limit = format!("{} of their limit", percent(SMALL));
         let Some(Changed { count, floor, ratio }) = self.changed(harmful, grows, true) else {
             return Some(format!(
-                "{} below {limit}, which is harmless.",
+                "{} below {limit}.",
                 counted(
                     all.count,
                     ["storey drifts over 10 % more, but stays", "storeys drift over 10 % more, but stay"]
@@ -164,8 +166,8 @@ impl AssessmentReport {
         };
         let harmless = match all.count - count {
             0 => String::new(),
-            1 => format!(" One other does so, too, but stays below {limit}, which is harmless."),
-            n => format!(" {n} others do so, too, but stay below {limit}, which is harmless."),
+            1 => format!(" One other does so, too, but stays below {limit}."),
+            n => format!(" {n} others do so, too, but stay below {limit}."),
         };
         Some(format!(
             "{} by more than 10 %, {}: {}.{harmless}",

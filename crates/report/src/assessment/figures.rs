@@ -48,7 +48,7 @@ pub(super) fn all(report: &AssessmentReport) -> Vec<Illustration> {
     if let Some(figure) = profiles::figure(report) {
         all.push(Illustration {
             name: NAMES[2],
-            caption: profiles::CAPTION.into(),
+            caption: profiles::caption(report),
             drawn: render_both(&figure),
         });
     }

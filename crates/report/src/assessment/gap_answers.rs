@@ -87,6 +87,7 @@ impl AssessmentReport {
             own: gap.own,
             needed: gap.required.largest(),
             rules: &gap.rules,
+            not_counted: self.says_not_counted(),
             sample: self.sample(),
         };
         self.assessment.gaps.iter().map(ruled).collect()
@@ -118,7 +119,16 @@ impl AssessmentReport {
         }
         if gap.touching == 0 && own >= needed {
             let floors = if own < gap.largest() { " for floors that face floors" } else { "" };
-            let apart = format!("they touch in none of {runs} runs, and need {} mm at most", millimetres_up(needed));
+            let n = gap.required.sorted().len();
+            let samples = if n == 1 {
+                format!("the only {}", self.sample())
+            } else {
+                format!("these {n} {}s", self.sample())
+            };
+            let apart = format!(
+                "they touch in none of {runs} runs, and need {} mm under {samples}",
+                millimetres_up(needed)
+            );
             return match self.unfounded().or_else(|| self.says_not_counted()) {
                 None => format!(
                     "{width} mm is enough{floors} between {left} and {right}: {apart}.{}",
@@ -234,9 +244,9 @@ impl AssessmentReport {
             _ => self.assessment.events,
         };
         let like = if n == 1 {
-            "like this one".into()
+            "of the kind of this one".into()
         } else {
-            format!("like these {n}")
+            format!("of the kind of these {n}")
         };
         let together = if widths.len() > 1 { ", together" } else { "" };
         let beside = match neighbours {
@@ -255,8 +265,15 @@ impl AssessmentReport {
         let chance = if self.assessment.disbelieved_alone > 0 {
             String::new()
         } else {
+            // The share that exceeds the largest of n is below 1 − 0.05^(1/n) with 95 %.
+            let at_most = 1.0 - libm::pow(0.05, 1.0 / n as f64);
+            let at_most = if n < Distribution::ENOUGH {
+                String::new()
+            } else {
+                format!("; with so few events it may be one in {}", two_digits(1.0 / at_most))
+            };
             format!(
-                " A further event {like} needs more than these with a chance of at most 1 in {} for each gap{beside}.",
+                " If the next earthquake is {like}, it needs more in about one case of {}{at_most}{beside}.",
                 n + 1
             )
         };
@@ -270,9 +287,9 @@ impl AssessmentReport {
         let more = own / widths.into_iter().find(|width| *width <= own).unwrap_or(own);
         match gap.required.dispersion() {
             Some(spread) if libm::log(more) < spread => format!(
-                " The margin of {} is less than the spread of the widths (σ ln {}): another motion may well need more.",
-                percent(more - 1.0),
-                two_decimals(spread)
+                " It is {} times as wide, less than a standard deviation of the widths ({} times): another motion may well need more.",
+                two_decimals(more),
+                two_decimals(libm::exp(spread))
             ),
             Some(_) => String::new(),
             None => format!(

@@ -9,9 +9,19 @@ use super::{AssessmentReport, runs_of_cases};
 use crate::figures::profiles::{MOST, of_storeys, over, panels};
 use crate::figures::unit;
 
-pub(super) const CAPTION: &str = "Peak storey drift and shear force over the height of the buildings. Dashed: alone. Lines with marks: beside \
+const CAPTION: &str = "Peak storey drift and shear force over the height of the buildings. Dashed: alone. Lines with marks: beside \
                                   the neighbours, with the contact of the scene. Blue: the median of the events in which the building touches; orange: \
                                   what 84 % of them do not exceed, or the largest of fewer than seven.";
+
+/// The caption, with the buildings that are left out.
+pub(super) fn caption(report: &AssessmentReport) -> String {
+    let all = of_storeys(&report.scene, report.floors()).len();
+    if all > MOST {
+        format!("{CAPTION} Of {all} buildings the first {MOST} from the left.")
+    } else {
+        CAPTION.into()
+    }
+}
 
 /// `None` if no building has several storeys.
 pub(super) fn figure(report: &AssessmentReport) -> Option<Figure> {

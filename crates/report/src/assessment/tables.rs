@@ -207,10 +207,7 @@ impl AssessmentReport {
 
     /// How hard these pairs meet.
     pub(super) fn pairs<'a>(&'a self, pairs: Vec<(usize, &'a PairAssessment)>) -> Table<'a, (usize, &'a PairAssessment)> {
-        let names = |index: usize| {
-            let facing = self.floors.facing()[index];
-            [facing.left, facing.right].map(|floor| self.floor_name(floor))
-        };
+        let names = |index: usize| self.floors.names(index);
         Table::of(pairs)
             .shown("Pair", move |(index, _)| names(*index).join(" – "))
             .column("left", move |(index, _)| names(*index)[0].clone())
@@ -248,10 +245,7 @@ impl AssessmentReport {
 
     /// The effects of bumpers on the forces of pairs.
     pub(super) fn bumper_pairs<'a>(&'a self, effect: &'a BumperEffect) -> Table<'a, (usize, &'a PairBumperEffect)> {
-        let names = |index: usize| {
-            let facing = self.floors.facing()[index];
-            [facing.left, facing.right].map(|floor| self.floor_name(floor))
-        };
+        let names = |index: usize| self.floors.names(index);
         let statistic = |of: &Option<Distribution>| Cell::from(of.as_ref().map(statistics));
         let largest = |of: &Option<Distribution>| Shown::from(of.as_ref().map(|of| two_digits(1e-3 * of.largest())));
         let pairs = effect.pairs.iter().enumerate();

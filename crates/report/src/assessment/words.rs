@@ -61,8 +61,8 @@ impl AssessmentReport {
             let (share, period) = fit.least();
             let [first, last] = [fit.periods[0], fit.periods[fit.periods.len() - 1]];
             said.push(format!(
-                "their mean spectrum has at least {:.0} % of the target from {} to {} s (at {} s), and {:.0} % of its peak ground \
-                 acceleration",
+                "their mean spectrum has at least {:.0} % of the target from {} to {} s (least at {} s); their mean peak acceleration is {:.0} % of \
+                 the target's",
                 (100.0 * share).floor(),
                 two_digits(first),
                 two_digits(last),

@@ -1,14 +1,15 @@
 //! The hardest blow: its force over time, and over the overlap of the floors.
 
-use super::{Seen, brief, name, unit};
+use super::{Seen, brief, unit};
 use crate::Blow;
 use pounding_plot::{Axis, Curve, CurveKind, Figure, Panel, Shade};
 use pounding_solver::Collision;
 
 /// The figure with its caption; `None` if no contact has a force.
 pub(super) fn figure(seen: &Seen<'_>) -> Option<(Figure, String)> {
-    let is_compliant = |blow: &Blow| seen.prepared.pairs()[blow.pair].law.is_compliant();
-    let hardest = Blow::all(seen.outcome).into_iter().find(is_compliant)?;
+    let hardest = Blow::all(seen.outcome)
+        .into_iter()
+        .find(|blow| seen.motion.tells_force(blow.pair))?;
     let force = |one: &&Collision| one.peak_force.unwrap_or(0.0);
     let collision = *seen
         .outcome
@@ -40,8 +41,7 @@ pub(super) fn figure(seen: &Seen<'_>) -> Option<(Figure, String)> {
         ],
         ..Figure::default()
     };
-    let facing = seen.prepared.floors().facing()[hardest.pair];
-    let [left, right] = [facing.left, facing.right].map(|floor| name(&seen.prepared.floors().all()[floor]));
+    let [left, right] = seen.prepared.floors().names(hardest.pair);
     let caption = format!(
         "Force of the hardest blow, {left} – {right} from {} to {} s, over time and over the overlap of the floors, which stands for the \
          deformation of both; the area of the loop is the energy that the contact takes. Straight lines join states that are {} ms apart.",

@@ -1,6 +1,6 @@
 //! How far every pair closes its gap.
 
-use super::{Seen, around, brief, heights, name};
+use super::{Seen, around, brief, fitting, heights};
 use pounding_plot::{Axis, Curve, CurveKind, Figure, Legend, Panel, Shade, sparse_markers};
 
 /// The gaps over time; `None` if no pair is shown.
@@ -46,9 +46,7 @@ fn panel(seen: &Seen<'_>, pair: usize) -> Panel {
         let points = touches.into_iter().map(|time| (time, gap)).collect();
         curves.push(Curve::new(CurveKind::Points, Shade::Ink, points).named("collision"));
     }
-    let facing = seen.prepared.floors().facing()[pair];
-    let floors = seen.prepared.floors().all();
-    let [left, right] = [facing.left, facing.right].map(|index| name(&floors[index]));
+    let [left, right] = seen.prepared.floors().names(pair).map(|name| fitting(&name));
     Panel {
         title: format!("{left} – {right}, gap {} mm", brief(gap, 4)),
         y: Axis {

@@ -61,6 +61,8 @@ struct Seen<'a> {
     shown: &'a Selection,
     /// Where axes of time end \[s\].
     until: f64,
+    /// Whether they end soon after the last touch.
+    ends_with_touches: bool,
 }
 
 /// Motion below this part of its largest value is at rest in pictures \[–\].
@@ -97,7 +99,9 @@ impl<'a> Seen<'a> {
     /// A sentence about what the axes of time leave out; empty if they go to the end of the run.
     fn says_end(&self) -> String {
         let duration = self.prepared.duration();
-        if self.until < duration {
+        if self.ends_with_touches {
+            format!(" The axis ends soon after the last touch, the run at {} s.", digits(duration))
+        } else if self.until < duration {
             format!(
                 " From {} s to the end of the run, at {} s, everything moves by less than 2 % of its largest motion.",
                 digits(self.until),
@@ -105,6 +109,20 @@ impl<'a> Seen<'a> {
             )
         } else {
             String::new()
+        }
+    }
+
+    /// The same with axes that end soon after the last touch, if that is much earlier.
+    fn until_touched(&self) -> Self {
+        let ends = self.outcome.collisions.all().iter().map(|one| one.end);
+        let last = ends.reduce(f64::max).map(|last| (1.2 * last + 1.0).ceil());
+        match last {
+            Some(until) if until < WORTH * self.until => Self {
+                until,
+                ends_with_touches: true,
+                ..*self
+            },
+            _ => *self,
         }
     }
 
@@ -133,11 +151,13 @@ pub(super) fn illustrations(motion: Motion<'_>, outcome: &RunResult, pairs: &[Pa
         motion,
         shown: &Selection::of(prepared, pairs),
         until: end_of_motion(motion, outcome),
+        ends_with_touches: false,
     };
+    let close = seen.until_touched();
     let figures: [Option<(Figure, String)>; NAMES.len()] = [
         profiles::figure(prepared, outcome, known),
-        Some(displacements::figure(&seen)),
-        gaps::figure(&seen),
+        Some(displacements::figure(&close)),
+        gaps::figure(&close),
         known.effects.and_then(|all| effects::figure(all, prepared)),
         blow::figure(&seen),
         hysteresis::figure(&seen),
@@ -166,7 +186,7 @@ pub(crate) fn elevation(floors: &Floors, floor: usize) -> f64 {
 }
 
 /// Longest name in a picture, in characters.
-const LONGEST: usize = 22;
+const LONGEST: usize = 28;
 
 /// A name as a picture can write it: not too long, in the letters of its font.
 fn name(floor: &Floor) -> String {

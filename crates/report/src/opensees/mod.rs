@@ -53,6 +53,12 @@ impl OpenSees {
 fn materials(prepared: &Simulation, row: &ScriptRow, approximate: bool) -> Result<Vec<Material>, String> {
     let facing = prepared.floors().facing();
     let material = |(pair, facing): (&Pair, &FloorPair)| {
+        if facing.column.is_some() {
+            let place = format!("contacts[{}]", facing.contact);
+            return Err(format!(
+                "{place}: found a slab beside a column, allowed are floors that meet floors (levels): an element of the script joins two nodes"
+            ));
+        }
         let sides = [pair.left(), pair.right()].map(|side| row.floors[side].as_ref());
         let inverse: f64 = sides.into_iter().flatten().map(|one| one.mass.recip()).sum();
         Material::of(pair, inverse.recip(), approximate).map_err(|allowed| {

@@ -150,8 +150,7 @@ pub struct Sdof {
     /// Smooth yielding; absent if columns yield at one point.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub bouc_wen: Option<BoucWen>,
-    /// Height of the mass above the ground \[m\], > 0. Drift ratios need it, and Eurocode 8, which takes 0.7 of the width of a gap between
-    /// neighbours of the same height. Beside a building it decides which floors face each other.
+    /// Height of the mass above the ground \[m\], > 0. Drift ratios need it. Beside a building it decides which floors face each other.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub height_m: Option<f64>,
     /// What the scene says of the limits of the structure.
@@ -191,8 +190,7 @@ pub struct SdofFile {
     pub(super) hardening_ratio: Option<f64>,
     /// Smooth yielding; by default columns yield at one point.
     bouc_wen: Option<BoucWen>,
-    /// Height of the mass above the ground \[m\], > 0. Drift ratios need it, and Eurocode 8, which takes 0.7 of the width of a gap between
-    /// neighbours of the same height. Beside a building it decides which floors face each other.
+    /// Height of the mass above the ground \[m\], > 0. Drift ratios need it. Beside a building it decides which floors face each other.
     pub(super) height_m: Option<f64>,
     /// Whether the structure stands on isolators, which have no limits of columns.
     isolation_layer: Option<bool>,

@@ -51,7 +51,7 @@ pub enum ExcessKind {
     MassDamping,
     /// Ratio of the drift at the end to the height of the storey \[–\].
     ResidualDrift,
-    /// Base shear over weight of columns that never yield \[–\].
+    /// Shear force of the lowest storey over the weight that it carries \[–\].
     BaseShear,
     /// Ratio of the damper's force to the yield force \[–\].
     DamperForce,
@@ -196,7 +196,8 @@ impl Simulation {
 
     fn excess(&self, floor: usize, (kind, found, capacity): Judged) -> Excess {
         let one = &self.floors().all()[floor];
-        let of_structure = [ExcessKind::BaseShear, ExcessKind::MassDamping].contains(&kind);
+        let is_lowest = self.floors().below(floor).is_none();
+        let of_structure = kind == ExcessKind::MassDamping || (kind == ExcessKind::BaseShear && is_lowest);
         let name = if of_structure {
             self.scene().structures[one.structure].name().into()
         } else {
@@ -243,7 +244,7 @@ impl Simulation {
         if one.is_isolation_layer() {
             return all;
         }
-        if told.shear_capacity_n.is_none() && one.ductility(drift).is_none_or(|ductility| ductility < 1.0) {
+        if told.shear_capacity_n.is_none() {
             all.extend(
                 self.shear_over_weight(result, floor)
                     .map(|found| (ExcessKind::BaseShear, found, None)),
@@ -345,7 +346,7 @@ impl ExcessKind {
     }
 
     /// Whether it is a drift or a force that the columns must bear. Effects of gravity and residual drifts follow from drifts.
-    fn strains(self) -> bool {
+    pub fn strains(self) -> bool {
         matches!(self, Self::Displacement | Self::Drift | Self::Ductility | Self::Shear)
     }
 
@@ -376,7 +377,7 @@ impl ExcessKind {
             Self::Shear => format!("shear force of {} kN", short(1e-3 * found)),
             Self::MassDamping => format!("dashpots to the ground of {} of critical damping", percent(found)),
             Self::ResidualDrift => format!("{} of drift left", percent(found)),
-            Self::BaseShear => format!("base shear of {} of the weight", two_digits(found)),
+            Self::BaseShear => format!("shear force of {} of the weight above", two_digits(found)),
             Self::DamperForce => format!("damper force of {} of the yield force", percent(found)),
         }
     }

@@ -264,6 +264,10 @@ impl Simulation {
 
     /// Names of the structures of a pair.
     fn names(&self, pair: usize) -> [String; 2] {
+        if pair < self.floors().facing().len() {
+            return self.floors().names(pair);
+        }
+        // A full model has pairs that the scene does not have.
         let pair = &self.pairs()[pair];
         [pair.left(), pair.right()].map(|index| self.floors().all()[index].name.clone())
     }

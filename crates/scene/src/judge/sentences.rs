@@ -63,8 +63,7 @@ impl Excess {
                 percent(found)
             ),
             ExcessKind::BaseShear => format!(
-                "base shear of {} of the weight, above 0.4, from columns that do not yield in the model; few buildings are that strong \
-                 (yield_force_n, shear_capacity_n)",
+                "shear force of {} of the weight above, more than 0.4: few buildings are that strong (yield_force_n, shear_capacity_n)",
                 two_digits(found)
             ),
             ExcessKind::DamperForce => format!(

@@ -6,8 +6,8 @@ use super::values::RunValues;
 use pounding_text::Unit;
 
 use super::{FloorQuantity, QuantityEntry, QuantityKind, quantities};
+use crate::PairOutcome;
 use crate::QuantityGroup;
-use crate::simulation::LEANS;
 
 quantities! {
     /// A number of two neighbours that can touch.
@@ -59,7 +59,7 @@ quantities! {
         QuantityEntry::new(&Unit::NEWTON_SECOND, "Total impulse", |run, pair| Some(run.pair(pair).total_impulse))
             .kind(QuantityKind::Total).measured(QuantityGroup::Impulse, "total impulse");
     TouchingS("touching_s", "Time for which they touch, all collisions together; a pair that overlaps without a force no longer counts.") = QuantityEntry {
-        least: |_, _| LEANS,
+        least: |_, _| PairOutcome::LEANS,
         ..QuantityEntry::new(&Unit::SECOND, "Touching", |run, pair| Some(run.pair(pair).touching))
             .kind(QuantityKind::Total).measured(QuantityGroup::Time, "time of touching")
     };

@@ -278,6 +278,19 @@ impl Floors {
         }
     }
 
+    /// Whether another pair acts on a floor of this pair from the same side, so that the floor does not tell the force of the pair.
+    pub fn shares_floors(&self, pair: usize) -> bool {
+        let own = self.points(&self.facing[pair]);
+        let shares = |other: &FloorPair| {
+            let sides = self.points(other).into_iter().zip(own);
+            let mut sides =
+                sides.flat_map(|(other, own)| other.parts().flat_map(move |(floor, _)| own.parts().map(move |one| one.0 == floor)));
+            sides.any(|same| same)
+        };
+        let others = self.facing.iter().enumerate().filter(|(index, _)| *index != pair);
+        self.facing[pair].column.is_some() || (!self.beside.is_empty() && others.map(|(_, other)| other).any(shares))
+    }
+
     /// The column of a pair; `None` if both are floors.
     pub fn column_of(&self, pair: &FloorPair) -> Option<&ColumnBeside> {
         self.beside.get(pair.column?)

@@ -23,7 +23,7 @@ use pounding_solver::{AnyRow, Budget, Clock, Integrator};
 use pounding_text::Refused;
 
 pub use advice::{Advice, Goal, MethodTrial, QuantityGroup, StepSizes};
-pub(crate) use pair_outcome::LEANS;
+
 pub use pair_outcome::PairOutcome;
 pub use run::{AuditedRun, EnergyBalance, Extras, RunResult};
 

@@ -26,9 +26,6 @@ pub struct PairOutcome {
 
 /// Rounding error of a closed gap \[m\].
 const ROUNDING: f64 = 1e-12;
-/// Neighbours that touch longer than this lean on each other \[s\]. Collisions last some hundredths of a second. Slow collisions of heavy
-/// buildings with Hertz contact last up to 0.15 s.
-pub(crate) const LEANS: f64 = 0.25;
 
 /// Whether an opening is zero or negative. Impulses close a gap only to rounding, and a stepping method may find an impact before the
 /// neighbours overlap.
@@ -37,6 +34,10 @@ fn is_closed(opening: f64) -> bool {
 }
 
 impl PairOutcome {
+    /// Neighbours that touch longer than this lean on each other \[s\]. Collisions last some hundredths of a second. Slow collisions of heavy
+    /// buildings with Hertz contact last up to 0.15 s.
+    pub const LEANS: f64 = 0.25;
+
     /// Least opening of a gap of this width whose neighbours closed it by `closing` \[m\]; 0 for neighbours that touch without a
     /// deformation.
     pub fn opening_after(gap: f64, closing: f64, touches: bool) -> f64 {
@@ -83,7 +84,7 @@ impl PairOutcome {
     /// Longest touch, if it is a push instead of a blow. The ground, or a residual drift, may press a building against its neighbour; the
     /// impulse is then large without a hard hit.
     pub fn leaning(&self) -> Option<Collision> {
-        self.longest.filter(|longest| duration(longest) > LEANS)
+        self.longest.filter(|longest| duration(longest) > Self::LEANS)
     }
 }
 
@@ -103,12 +104,13 @@ impl RunResult {
     /// recorded.
     pub(crate) fn least_opening(&self, simulation: &Simulation, pair: usize, found: &PairOutcome) -> Option<(f64, f64)> {
         let closings = self.closings.as_ref()?;
-        let facing = simulation.floors().facing()[pair];
-        let closing = match facing.column {
+        let facing = simulation.floors().facing().get(pair);
+        let model = &simulation.pairs()[pair];
+        let closing = match facing.and_then(|one| one.column) {
             Some(column) => closings.of_column(column, false),
-            None => closings.of(facing.left),
+            None => closings.of(model.left()),
         };
-        Some(found.least_opening(simulation.pairs()[pair].gap(), closing))
+        Some(found.least_opening(model.gap(), closing))
     }
 
     /// Sums up the collisions of a pair.

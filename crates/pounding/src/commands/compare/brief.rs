@@ -83,7 +83,8 @@ pub(super) fn rows(runs: &[ComparedRun]) -> Result<(Vec<ComparedRow>, Vec<String
     rows.push(text("gap needed, alone [mm]", &|one| Some(millimetres_up(one.needed?))));
     rows.push(text("warnings, see run", &|one| Some(one.scene.review.excesses.len().to_string())));
     let mut said = vec![
-        "each number is the larger of both directions of shaking by the record of the scene; `pounding assess` takes a folder of records"
+        "each number is the larger of both directions under one record, as strong as the scene makes it: no design; `pounding assess` takes a \
+         folder of records and a target"
             .to_owned(),
     ];
     if both.iter().any(|one| one.other.is_none()) {

@@ -121,7 +121,7 @@ fn numbers<'a, Of: 'a>(table: Table<'a, &'a Of>, column: impl Fn(&'a Of) -> &'a 
 /// Adds the probability of an exceedance and its bounds.
 fn exceedances<'a, Of: 'a>(table: Table<'a, Of>, one: impl Fn(&Of) -> Option<&'a Exceedance> + Copy + 'a) -> Table<'a, Of> {
     table
-        .shown("probability", move |row| one(row).map(|one| short(one.probability)))
-        .shown("from", move |row| one(row).map(|one| short(one.bounds.0)))
+        .shown("share of runs", move |row| one(row).map(|one| short(one.probability)))
+        .shown("95 % from", move |row| one(row).map(|one| short(one.bounds.0)))
         .shown("to", move |row| one(row).map(|one| short(one.bounds.1)))
 }

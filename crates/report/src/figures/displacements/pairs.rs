@@ -1,8 +1,7 @@
 //! Displacements of floors of buildings: a panel for every pair that is hit hardest, and the collisions of these below.
 
-use super::super::{Seen, around, brief, heights, name, unit};
+use super::super::{Seen, around, brief, fitting, heights, unit};
 use super::{FORCE, IMPULSE, largest_apart};
-use crate::figures::shown::drawn;
 use pounding_plot::{Axis, Curve, CurveKind, Legend, Note, Panel, Shade};
 use pounding_solver::Collision;
 
@@ -18,18 +17,14 @@ pub(super) fn panels(seen: &Seen<'_>) -> Vec<Panel> {
 }
 
 fn panel(seen: &Seen<'_>, pair: usize) -> Panel {
-    let facing = seen.prepared.floors().facing()[pair];
     let gap = seen.prepared.pairs()[pair].gap();
-    let curve = |floor: usize, shift: f64| {
-        let states = seen.motion.states(drawn(seen.prepared.floors(), floor));
-        seen.curve(|row| 1e3 * (states[row].displacement + shift))
-    };
+    let curve = |side: usize, shift: f64| seen.curve(|row| 1e3 * (seen.motion.points(pair, row)[side] + shift));
     Panel {
         title: title(seen, pair),
         y: Axis::auto("u (mm)"),
         curves: vec![
-            Curve::new(CurveKind::Line, Shade::Blue, curve(facing.left, 0.0)).named("left floor"),
-            Curve::new(CurveKind::Line, Shade::Vermilion, curve(facing.right, gap)).named("right floor, offset by the gap"),
+            Curve::new(CurveKind::Line, Shade::Blue, curve(0, 0.0)).named("left"),
+            Curve::new(CurveKind::Line, Shade::Vermilion, curve(1, gap)).named("right, offset by the gap"),
         ],
         legend: Legend::Shared,
         ..Panel::default()
@@ -42,10 +37,7 @@ fn title(seen: &Seen<'_>, pair: usize) -> String {
 }
 
 fn names(seen: &Seen<'_>, pair: usize) -> String {
-    let floors = seen.prepared.floors();
-    let facing = floors.facing()[pair];
-    let [left, right] = [facing.left, facing.right].map(|floor| name(&floors.all()[floor]));
-    format!("{left} – {right}")
+    seen.prepared.floors().names(pair).map(|name| fitting(&name)).join(" – ")
 }
 
 /// The collisions of the shown pairs, forces or impulses; `None` if there is none.

@@ -96,16 +96,18 @@ impl Floors {
         let first = names.first()?;
         let floors = match names.len() {
             1 => format!("{first} faces a column of its neighbour"),
-            n => format!("{n} floors face columns of the neighbour, the first {first}"),
+            n => format!("{n} floors face columns of the neighbour (\"{first}\" and others)"),
         };
         Some(format!("{floors}: a floor that hits a column can bring the building down."))
     }
 
-    /// Whether floors on both sides of a gap are level up to the lower roof, by the heights in the scene or by its field `floors`.
+    /// Whether floors on both sides of a gap are level up to the lower roof, by the heights of their storeys or by the field `floors`. A single
+    /// mass does not tell the floors of its building.
     pub fn are_level(&self, gap: usize) -> bool {
         let sides = [gap, gap + 1];
         let are_walls = sides.map(|one| self.of_structure(one).iter().any(|floor| self.all[*floor].is_wall()));
-        let known = sides.map(|one| self.heights_of(one).is_some());
+        let is_building = |floor: &usize| self.all[*floor].storey.is_some();
+        let known = sides.map(|one| self.heights_of(one).is_some() && self.of_structure(one).iter().all(is_building));
         let mut beside = self.beside.iter().filter(|one| one.gap == gap);
         let faces_none = beside.all(ColumnBeside::is_at_ground);
         (known == [true; 2] || self.told_level) && are_walls == [false; 2] && faces_none
