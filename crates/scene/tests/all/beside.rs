@@ -69,7 +69,7 @@ fn is_close(found: f64, wanted: f64, within: f64) {
     assert!((found / wanted - 1.0).abs() < within, "{found} {wanted}");
 }
 
-/// The impulse of two masses, the slab and the point of the column, 1/m = 1/m₁ + (1 − W)²/m_b + W²/m_t.
+/// The impulse of two masses: the slab, and the point of the column with both of its floors by the parts 1 − W and W.
 #[test]
 fn reference_the_impulse_of_a_slab_against_a_column() {
     let (inputs, expected) = case("slab-against-column-impulse.json");
