@@ -164,6 +164,7 @@ pub(crate) fn timed_row(
         structures,
         contacts,
         neighbour: None,
+        p_delta: None,
         arrivals_s: None,
         floors: Some(FloorHeights::Level),
         method,

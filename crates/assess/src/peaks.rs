@@ -28,7 +28,7 @@ impl FloorPeaks {
             let peaks = result.peaks.of(floor);
             Self {
                 drift: peaks.drift().value.abs(),
-                shear: peaks.restoring_force.value.abs(),
+                shear: peaks.column_force().value.abs(),
                 acceleration: result.accelerations[floor].value.abs(),
             }
         };

@@ -63,7 +63,7 @@ impl<'a> Motion<'a> {
                 rows.map(|row| states[row].acceleration + self.ground(place, self.time(row)))
                     .collect()
             }
-            HistoryQuantity::ShearForce => of_states(|state| state.restoring_force),
+            HistoryQuantity::ShearForce => self.shear_forces(place).collect(),
             HistoryQuantity::Drift => self.drifts(place).collect(),
             HistoryQuantity::PoundingForce => rows.map(|row| self.force(place, row)).collect(),
             HistoryQuantity::Opening => rows.map(|row| self.opening(place, row)).collect(),
@@ -91,6 +91,13 @@ impl<'a> Motion<'a> {
     fn ground(&self, floor: usize, time: f64) -> f64 {
         let arrival = self.travel.map_or(0.0, |travel| travel.arrival(floor));
         self.prepared.record().at(time - arrival)
+    }
+
+    /// Force of the columns below a floor over time \[N\]: gravity takes its part off what they give.
+    pub(super) fn shear_forces(&self, floor: usize) -> impl Iterator<Item = f64> {
+        let gravity = self.floors().all()[floor].made_of.map_or(0.0, |made| made.gravity_n_per_m);
+        let states = self.states(floor).iter().zip(self.drifts(floor));
+        states.map(move |(state, drift)| state.restoring_force + gravity * drift)
     }
 
     /// Displacements of both points of a pair \[m\].

@@ -50,7 +50,7 @@ pub use accuracy::opening::SimulationOptions;
 pub use accuracy::price::RunMode;
 pub use file::error::Error;
 pub use file::{
-    Building, Capacities, ColumnShape, Columns, Contact, Damping, FileUse, FloorHeights, Generated, Method, Property, RecordUse,
+    Building, Capacities, ColumnShape, Columns, Contact, Damping, FileUse, FloorHeights, Generated, Method, PDelta, Property, RecordUse,
     STANDARD_GRAVITY, Scene, Sdof, Source, Storey, Structure,
 };
 pub use ground_motion::{GroundMotion, Origin, SharedMotion, hexadecimal, sha256};

@@ -64,6 +64,9 @@ pub(crate) fn alone_because(scene: &Simulation) -> Option<&'static str> {
     };
     let travels = scene.travel().is_some();
     let smooth = matches!(scene.row(), AnyRow::Mixed(_));
+    if scene.floors().has_gravity() {
+        return Some("storeys under gravity are those of one scene");
+    }
     let of_row = || match (smooth, travels, scene.row().is_chain()) {
         (true, ..) => Some("Bouc–Wen columns are those of one scene"),
         (false, true, _) => Some("a motion that arrives at one structure after the other is that of one scene"),

@@ -43,6 +43,9 @@ def row(
     restitution: float | None = None,
     law: Law | Sequence[Law] | None = None,
     levels: Sequence[int] | None = None,
+    heights: Sequence[float] | None = None,
+    column_shape: str | None = None,
+    p_delta: str | None = None,
     floors: str | None = None,
     property: str | Sequence[str] | None = None,
     arrivals: Sequence[float] | None = None,
@@ -66,7 +69,13 @@ def row(
         ``"stereomechanical"``, whose impulses need only a restitution. Without law and restitution, contact is that of ``pounding init``:
         ``nonlinear_viscoelastic`` with 2.75e9 N/m^1.5 and 0.65. :func:`laws` lists all.
     levels
-        Levels at which floors can touch, from 1; by default all floors that face each other.
+        Levels at which floors can touch, from 1, and no columns; by default slabs meet what stands at their height.
+    heights
+        Heights at which slabs can touch floors and columns [m]; by default all.
+    column_shape
+        ``"fixed"``, the default, or ``"straight"``: shape of columns where slabs hit them.
+    p_delta
+        ``"from_masses"``: the weight of the masses acts on leaning storeys; heights are needed.
     floors
         ``"level"`` if storeys of one number are at one height. Needed where a building of several storeys faces another structure and
         heights are not given.
@@ -109,11 +118,17 @@ def row(
         contacts = [{"gap_m": gap, "law": law} for gap, law in zip(gaps, laws)]
         if levels is not None:
             contacts = [{**contact, "levels": list(levels)} for contact in contacts]
+        if heights is not None:
+            contacts = [{**contact, "heights_m": list(heights)} for contact in contacts]
+        if column_shape is not None:
+            contacts = [{**contact, "column_shape": column_shape} for contact in contacts]
         if property is not None:
             contacts = [{**contact, "property": own} for contact, own in zip(contacts, for_each(property, n, "property"))]
         given["contacts"] = contacts
     if floors is not None:
         given["floors"] = floors
+    if p_delta is not None:
+        given["p_delta"] = p_delta
     if arrivals is not None:
         given["arrivals_s"] = list(arrivals)
     if method is not None:

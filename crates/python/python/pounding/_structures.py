@@ -38,6 +38,10 @@ def sdof(
     drift_capacity_ratio: float | None = None,
     shear_capacity: float | None = None,
     isolation_layer: bool | None = None,
+    column_capacity: float | None = None,
+    columns: int | None = None,
+    gravity_load: float | None = None,
+    slab_depth: float | None = None,
     initial_displacement: float | None = None,
     initial_velocity: float | None = None,
 ) -> Structure:
@@ -73,6 +77,14 @@ def sdof(
         Shear force that the columns bear [N]; by default it is not judged.
     isolation_layer
         Whether the structure stands on isolators, which have no limits of columns.
+    column_capacity
+        Shear force that one column bears when a slab of the neighbour hits it [N]; by default it is not judged.
+    columns
+        Number of equal columns: the one that a slab hits bends under a linear spring; by default none does.
+    gravity_load
+        Weight that acts on the leaning structure (P-Δ) [N]; by default none. It needs ``height``.
+    slab_depth
+        Depth of the slab below ``height`` [m]: slabs whose depths overlap meet as floors.
     initial_displacement, initial_velocity
         State at t = 0 [m], [m/s].
     """
@@ -96,7 +108,8 @@ def building(
     storeys
         From the ground up: dicts with ``mass`` [kg], ``stiffness`` [N/m], ``height`` [m], ``yield_force`` [N],
         ``yield_displacement`` [m], ``yield_drift_ratio`` [–], ``hardening_ratio`` [–],
-        ``drift_capacity_ratio`` [–], ``shear_capacity`` [N], ``isolation_layer``, ``repeat`` (number of equal storeys).
+        ``drift_capacity_ratio`` [–], ``shear_capacity`` [N], ``isolation_layer``,
+        ``column_capacity`` [N], ``columns``, ``gravity_load`` [N], ``slab_depth`` [m], ``repeat`` (number of equal storeys).
     period
         First natural period [s], which determines the stiffness of equal storeys; or ``stiffness`` of each storey.
     damping

@@ -27,6 +27,9 @@ STRUCTURE = {
     "yield_force": "yield_force_n",
     "yield_displacement": "yield_displacement_m",
     "shear_capacity": "shear_capacity_n",
+    "column_capacity": "column_capacity_n",
+    "gravity_load": "gravity_load_n",
+    "slab_depth": "slab_depth_m",
     "initial_displacement": "initial_displacement_m",
     "initial_velocity": "initial_velocity_m_per_s",
 }

@@ -91,10 +91,9 @@ fn with_corners(points: &[(f64, f64)], [elastic, yielding]: [f64; 2]) -> Vec<(f6
 fn panel(seen: &Seen<'_>, index: usize, range: Option<(f64, f64)>) -> Panel {
     let floor = &seen.prepared.floors().all()[index];
     let peaks = seen.outcome.peaks.of(index);
-    let (unit, factor) = unit(peaks.restoring_force.value, "N");
-    let (states, drifts) = (seen.motion.states(index), seen.motion.drifts(index));
-    let points = drifts.zip(states);
-    let points = points.map(|(drift, state)| (1e3 * drift, factor * state.restoring_force));
+    let (unit, factor) = unit(peaks.column_force().value, "N");
+    let points = seen.motion.drifts(index).zip(seen.motion.shear_forces(index));
+    let points = points.map(|(drift, force)| (1e3 * drift, factor * force));
     let points: Vec<(f64, f64)> = points.collect();
     let columns = floor.made_of.map(|made| made.columns);
     let sharp = columns.filter(|one| one.bouc_wen.is_none());

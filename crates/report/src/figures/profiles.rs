@@ -84,7 +84,7 @@ fn caption(known: Known<'_>, (shown, all): (usize, usize)) -> String {
 fn responses(prepared: &Simulation, outcome: &RunResult) -> [Response; 2] {
     let floors = prepared.floors();
     let all = 0..floors.all().len();
-    let largest = all.map(|floor| outcome.peaks.of(floor).restoring_force.value.abs());
+    let largest = all.map(|floor| outcome.peaks.of(floor).column_force().value.abs());
     let (unit, factor) = unit(largest.fold(0.0, f64::max), "N");
     [
         Response {
@@ -95,7 +95,7 @@ fn responses(prepared: &Simulation, outcome: &RunResult) -> [Response; 2] {
         },
         Response {
             label: format!("Shear ({unit})"),
-            of: |result, floor| result.peaks.of(floor).restoring_force.value.abs(),
+            of: |result, floor| result.peaks.of(floor).column_force().value.abs(),
             alone: 1,
             factor,
         },

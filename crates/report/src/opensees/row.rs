@@ -61,7 +61,7 @@ fn floor_of<Column: Hysteretic>(nodes: &[Node<Column>], node: &Node<Column>, mad
     ScriptFloor {
         mass: made.mass_kg,
         below,
-        column: material(&made.columns),
+        column: material(&made.leaning_columns()),
         damping: [node.damping, ground_damping],
         start: [node.initial_displacement, node.initial_velocity, node.column.loaded(drift).force],
     }

@@ -97,6 +97,8 @@ struct StoreyFile {
     /// Number of equal columns, ≥ 1: the bending of the one that a slab hits stands in series with a linear contact. By default columns do
     /// not bend there.
     columns: Option<u32>,
+    /// Weight on the floor that acts on the leaning storeys below (P-Δ) \[N\], ≥ 0; by default none.
+    gravity_load_n: Option<f64>,
     /// Depth of the slab below the height of its floor \[m\], ≥ 0: slabs whose depths overlap meet as floors. By default only floors at one
     /// height do.
     slab_depth_m: Option<f64>,
@@ -232,6 +234,7 @@ impl StoreyFile {
                 column_capacity_n: self.column_capacity_n,
                 columns: self.columns,
                 slab_depth_m: self.slab_depth_m,
+                gravity_load_n: self.gravity_load_n,
             },
             initial_displacement_m: self.initial_displacement_m,
             initial_velocity_m_per_s: self.initial_velocity_m_per_s,
@@ -268,6 +271,7 @@ impl Building {
             column_capacity_n: None,
             columns: None,
             slab_depth_m: None,
+            gravity_load_n: None,
             initial_displacement_m: 0.0,
             initial_velocity_m_per_s: 0.0,
             repeat: 1,

@@ -51,6 +51,9 @@ pub struct Capacities {
     /// Number of equal columns of the storey, ≥ 1: the bending of the one that is hit stands in series with a linear contact.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub columns: Option<u32>,
+    /// Weight on the floor that acts on leaning storeys \[N\], ≥ 0: of a storey the sum of those above it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub gravity_load_n: Option<f64>,
     /// Depth of the slab \[m\], ≥ 0, below the height of its floor: slabs whose depths overlap meet as floors.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub slab_depth_m: Option<f64>,

@@ -66,6 +66,9 @@ pub struct Scene {
     /// themselves.
     #[serde(default, skip_serializing_if = "Option::is_none", deserialize_with = "choice::maybe")]
     pub floors: Option<FloorHeights>,
+    /// Whether the weight of the masses acts on leaning storeys (P-Δ), besides `gravity_load_n` of storeys, which always does.
+    #[serde(default, skip_serializing_if = "Option::is_none", deserialize_with = "choice::maybe")]
+    pub p_delta: Option<PDelta>,
     /// One contact between each structure and its right neighbour; absent if the structures stand apart.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub contacts: Option<Vec<Contact>>,
@@ -96,6 +99,16 @@ pub enum FloorHeights {
 }
 
 impl choice::Choice for FloorHeights {}
+
+/// Weights that act on leaning storeys.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum PDelta {
+    /// Those of the masses, besides the gravity loads of storeys.
+    FromMasses,
+}
+
+impl choice::Choice for PDelta {}
 
 /// Shape of a column between its floors, which shares a blow among them.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]

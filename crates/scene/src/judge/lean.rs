@@ -17,7 +17,7 @@ impl Simulation {
     fn unneeded_yielding(&self, index: usize, structure: &Structure, expected: &[&RunResult]) -> Option<String> {
         let floors = self.floors().of_structure(index);
         let share = |floor: &usize| {
-            let forces = expected.iter().map(|run| run.peaks.of(*floor).restoring_force.value.abs());
+            let forces = expected.iter().map(|run| run.peaks.of(*floor).column_force().value.abs());
             let columns = self.floors().all()[*floor].made_of?.columns;
             // Columns that yield smoothly do so from the smallest drift.
             let sharp = columns.yield_force_n.filter(|_| columns.bouc_wen.is_none());

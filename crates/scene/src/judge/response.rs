@@ -37,6 +37,8 @@ pub enum ExcessKind {
     LeftOut,
     /// Shear force of a column that a slab hits \[N\]; 0 for impacts, which have no force.
     ColumnHit,
+    /// Ratio of the drift to the height of a storey on which gravity acts \[–\].
+    Collapse,
     /// Drift of a storey of unknown height \[m\].
     Displacement,
     /// Stability coefficient P Δ/(V h) of a storey \[–\].
@@ -72,6 +74,9 @@ impl Excess {
     /// Stability coefficients \[–\]: gravity matters above the first one, and a design above the second one is not allowed. EN
     /// 1998-1:2004, 4.4.2.2 (2), and ASCE 7-16, 12.8.7.
     pub const MOST_STABILITY: [f64; 2] = [0.1, 0.25];
+
+    /// Drift ratio at which a storey under gravity counts as collapsed \[–\]. A convention: no column stands there.
+    pub const COLLAPSED: f64 = 0.2;
 
     /// Largest base shear over weight \[–\] of which a frame is usually capable. A convention: special frames of ASCE 7-16, Table 12.2-1, at
     /// `S_DS` = 1 have 1/8 by design, and 3/8 with their overstrength.
@@ -230,7 +235,7 @@ impl Simulation {
             return Vec::new();
         };
         let peaks = result.peaks.of(floor);
-        let (drift, shear) = (peaks.drift().value.abs(), peaks.restoring_force.value.abs());
+        let (drift, shear) = (peaks.drift().value.abs(), peaks.column_force().value.abs());
         let told = made_of.capacities;
         let ratio = made_of.height_m.map(|height| drift / height);
         let mut all = Vec::new();
@@ -254,8 +259,12 @@ impl Simulation {
             all.push((ExcessKind::Displacement, drift, None));
             return all;
         };
-        let weight = self.weight_above(floor);
-        all.push((ExcessKind::Stability, weight * drift / (shear * height), None));
+        if made_of.gravity_n_per_m > 0.0 {
+            all.extend(ratio.map(|ratio| (ExcessKind::Collapse, ratio, None)));
+        } else {
+            let weight = self.weight_above(floor);
+            all.push((ExcessKind::Stability, weight * drift / (shear * height), None));
+        }
         if one.can_yield() {
             let below = floors.below(floor).map_or(0.0, |below| result.last.of(below).displacement);
             let residual = result.last.of(floor).displacement - below;
@@ -312,6 +321,7 @@ impl ExcessKind {
     fn most(self) -> f64 {
         match self {
             Self::AtColumn | Self::BesideColumn | Self::AtFoot | Self::LeftOut | Self::ColumnHit => 0.0,
+            Self::Collapse => Excess::COLLAPSED,
             Self::Displacement => MOST_UNKNOWN,
             Self::Stability => Excess::MOST_STABILITY[0],
             Self::Drift => Excess::MOST_DRIFT,
@@ -328,6 +338,7 @@ impl ExcessKind {
     /// The general limit behind a value of this kind, in words; empty if the value says enough.
     fn bound(self) -> &'static str {
         match self {
+            Self::Collapse => ", above 20 %",
             Self::Displacement => ", above 0.3 m",
             Self::Drift => ", above 2.5 %",
             Self::Ductility => ", above 6",
@@ -347,7 +358,10 @@ impl ExcessKind {
 
     /// Whether it is a drift or a force that the columns must bear. Effects of gravity and residual drifts follow from drifts.
     pub fn strains(self) -> bool {
-        matches!(self, Self::Displacement | Self::Drift | Self::Ductility | Self::Shear)
+        matches!(
+            self,
+            Self::Collapse | Self::Displacement | Self::Drift | Self::Ductility | Self::Shear
+        )
     }
 
     /// Whether something may touch without a contact in the model: a column, or floors of a level that is left out.
@@ -370,6 +384,7 @@ impl ExcessKind {
             Self::LeftOut => "may touch, and were not looked at".into(),
             Self::ColumnHit if found > 0.0 => format!("hit by a slab, with a shear force of {} kN", two_digits(1e-3 * found)),
             Self::ColumnHit => "hit by a slab".into(),
+            Self::Collapse => format!("collapses, drift of {}", percent(found)),
             Self::Displacement => format!("drift of {} mm", short(1e3 * found)),
             Self::Stability => format!("stability coefficient of {}", short(found)),
             Self::Drift => format!("drift of {}", percent(found)),

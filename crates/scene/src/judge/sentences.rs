@@ -30,6 +30,10 @@ impl Excess {
         let found = self.found;
         match self.kind {
             ExcessKind::AtColumn | ExcessKind::BesideColumn | ExcessKind::AtFoot | ExcessKind::LeftOut => String::new(),
+            ExcessKind::Collapse => format!(
+                "collapses: under gravity it drifts by {} of the storey height, above 20 %, where no column stands; what comes after is no result",
+                percent(found)
+            ),
             ExcessKind::ColumnHit => column_hit(found, self.capacity),
             ExcessKind::Displacement => format!(
                 "drift of {} m: more than 2.5 % of any usual storey; give height_m, and look at the scale of the record",

@@ -22,11 +22,11 @@ quantities! {
         ..QuantityEntry::instant(|run, floor| Some(run.peaks(floor)?.displacement.time))
     };
     PeakShearForceN("peak_shear_force_n", "Shear force of largest magnitude, of the columns alone: the force of the damper is not in it.") =
-        QuantityEntry::new(&Unit::NEWTON, "Peak shear", |run, floor| Some(run.peaks(floor)?.restoring_force.value))
+        QuantityEntry::new(&Unit::NEWTON, "Peak shear", |run, floor| Some(run.peaks(floor)?.column_force().value))
             .kind(QuantityKind::Peak).measured(QuantityGroup::Force, "shear force");
     #[serde(skip_deserializing)]
     PeakShearForceTimeS("peak_shear_force_time_s", "Instant of the peak shear force.") =
-        QuantityEntry::instant(|run, floor| Some(run.peaks(floor)?.restoring_force.time));
+        QuantityEntry::instant(|run, floor| Some(run.peaks(floor)?.column_force().time));
     PeakDriftM("peak_drift_m", "Storey drift of largest magnitude; none of a storey on the ground, whose drift is the displacement.") = QuantityEntry {
         on_ground: Some(FloorQuantity::PeakDisplacementM),
         ..QuantityEntry::new(&Unit::METRE, "Peak drift", |run, floor| Some(run.peaks(floor)?.storey_drift?.value))

@@ -57,7 +57,7 @@ impl Simulation {
                 .ductility(drift)
                 .is_some_and(|ductility| ductility > 1.0);
             if has_yielded {
-                peaks.restoring_force.value.abs() / drift
+                peaks.column_force().value.abs() / drift
             } else {
                 stiffness
             }

@@ -1,6 +1,7 @@
 //! The floors of a scene: names of the nodes of its row, and which floors face each other.
 
 mod beside;
+mod gravity;
 mod levels;
 mod unwatched;
 
@@ -64,6 +65,8 @@ pub struct StoreyProperties {
     pub height_m: Option<f64>,
     /// What the scene says of the limits of the storey.
     pub capacities: Capacities,
+    /// Weight above over the height of the storey, P/h \[N/m\]; 0 if gravity does not act.
+    pub gravity_n_per_m: f64,
     /// Displacement of the floor at t = 0 \[m\].
     pub initial_displacement_m: f64,
     /// Velocity of the floor at t = 0 \[m/s\].
@@ -125,8 +128,10 @@ impl Floor {
 }
 
 impl StoreyProperties {
-    fn of(sdof: &Sdof) -> Self {
+    fn of(scene: &Scene, sdof: &Sdof) -> Self {
+        let own = gravity::weight(scene, sdof.mass_kg, &sdof.capacities);
         Self {
+            gravity_n_per_m: gravity::over(own, sdof.height_m),
             mass_kg: sdof.mass_kg,
             columns: sdof.columns(),
             height_m: sdof.height_m,
@@ -144,6 +149,7 @@ impl Floors {
     /// [`Refused`] if a floor would hit the columns of a neighbour, or if a contact names levels at which nothing can touch.
     pub fn of(scene: &Scene) -> Result<Self, Refused> {
         let levels = levels::of(scene)?;
+        gravity::check(scene)?;
         let contacts = scene.contacts.as_deref().unwrap_or_default();
         let mut floors = Self {
             structures: scene.structures.iter().map(|one| one.name().into()).collect(),
@@ -212,7 +218,7 @@ impl Floors {
         for floor in &mut self.all {
             if let Structure::Sdof(sdof) = &scene.structures[floor.structure] {
                 floor.elevation_m = sdof.height_m;
-                floor.made_of = Some(StoreyProperties::of(sdof));
+                floor.made_of = Some(StoreyProperties::of(scene, sdof));
             }
         }
     }
@@ -236,6 +242,13 @@ impl Floors {
     pub fn is_isolated(&self, structure: usize) -> bool {
         let mut own = self.of_structure(structure).iter();
         own.any(|floor| self.all[*floor].is_isolation_layer())
+    }
+
+    /// Whether gravity acts on some leaning storey.
+    pub fn has_gravity(&self) -> bool {
+        self.all
+            .iter()
+            .any(|one| one.made_of.is_some_and(|made| made.gravity_n_per_m > 0.0))
     }
 
     /// Indices of every floor, structure by structure from the left, each from the ground up.
@@ -359,10 +372,12 @@ fn floor(scene: &Scene, levels: &Levels, node: usize) -> Floor {
             storey: None,
             name,
             elevation_m: sdof.height_m,
-            made_of: Some(StoreyProperties::of(sdof)),
+            made_of: Some(StoreyProperties::of(scene, sdof)),
         },
         Structure::Building(building) => {
             let one = &building.storeys[storey];
+            let above = building.storeys[storey..].iter();
+            let above = above.map(|one| gravity::weight(scene, one.mass_kg, &one.capacities)).sum();
             Floor {
                 structure: index,
                 storey: Some(storey + 1),
@@ -373,6 +388,7 @@ fn floor(scene: &Scene, levels: &Levels, node: usize) -> Floor {
                     columns: one.columns,
                     height_m: one.height_m,
                     capacities: one.capacities,
+                    gravity_n_per_m: gravity::over(above, one.height_m),
                     initial_displacement_m: one.initial_displacement_m,
                     initial_velocity_m_per_s: one.initial_velocity_m_per_s,
                 }),

@@ -182,7 +182,7 @@ fn nodes<Column>(scene: &Scene, floors: &Floors, column: impl Fn(&Columns) -> Co
             mass: made.mass_kg,
             damping,
             ground_damping,
-            column: column(&made.columns),
+            column: column(&made.leaning_columns()),
         };
         Node {
             initial_displacement: made.initial_displacement_m,

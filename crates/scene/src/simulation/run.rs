@@ -9,7 +9,7 @@ use pounding_solver::{
 
 use super::Simulation;
 use crate::settings::out_of_range;
-use crate::{ColumnBeside, Error, Method, Structure};
+use crate::{ColumnBeside, Error, Floor, Method, Structure};
 use pounding_text::{RefusalKind, Refused, digits, short};
 
 /// Number of looks at a motion in the shortest natural period, unless its series allows fewer; see [`Closings`].
@@ -209,6 +209,10 @@ impl Simulation {
     fn usual_recorders<'l>(&self) -> Recorders<'l, '_> {
         let mut recorders = Recorders::usual(self.floors.all().len(), self.pairs());
         recorders.collisions = recorders.collisions.travelled(self.travel());
+        if self.floors.has_gravity() {
+            let of = |floor: &Floor| floor.made_of.map_or(0.0, |made| made.gravity_n_per_m);
+            recorders.peaks = recorders.peaks.under_gravity(self.floors.all().iter().map(of));
+        }
         recorders
     }
 

@@ -6,13 +6,13 @@ use std::path::Path;
 use pounding_scene::{PairQuantity, Scene, Simulation};
 use serde_json::Value;
 
-fn case(name: &str) -> (Value, Value) {
+pub(crate) fn case(name: &str) -> (Value, Value) {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/reach").join(name);
     let case: Value = serde_json::from_slice(&fs::read(path).expect("it is there")).expect("JSON");
     (case["inputs"].clone(), case["expected"].clone())
 }
 
-fn number(of: &Value, name: &str) -> f64 {
+pub(crate) fn number(of: &Value, name: &str) -> f64 {
     of[name].as_f64().unwrap_or_else(|| panic!("{name}: {of}"))
 }
 
@@ -60,7 +60,7 @@ contacts = [{{ gap_m = 0, heights_m = [{height}], {} }}]
     }
 }
 
-fn prepared(text: &str) -> Simulation {
+pub(crate) fn prepared(text: &str) -> Simulation {
     let scene = Scene::parse(text.as_bytes(), Path::new("scene.toml")).expect("a scene");
     Simulation::new(&scene, "").expect("it is sound")
 }

@@ -106,6 +106,7 @@ fn scene() -> impl Strategy<Value = (Scene, Vec<f64>)> {
             structures,
             contacts,
             neighbour: None,
+            p_delta: None,
             arrivals_s: None,
             floors: None,
             method,

@@ -6,6 +6,7 @@ mod certificates;
 mod errors;
 mod extremes;
 mod floors;
+mod gravity;
 mod judged;
 mod lean;
 mod mirrored;

@@ -67,7 +67,7 @@ impl LoopConstants {
 
     /// The hysteretic part h of the force at a drift \[m\].
     pub(super) fn hysteretic_force(&self, force: f64, drift: f64) -> f64 {
-        if self.hardened_stiffness > 0.0 {
+        if self.hardened_stiffness.abs() > 0.0 {
             force - self.hardened_stiffness * drift
         } else {
             force

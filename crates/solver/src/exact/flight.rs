@@ -97,7 +97,7 @@ impl Leap {
         };
         let columns = [by(1.0, [0.0; 2]), by(0.0, [1.0, 0.0]), by(0.0, [0.0, 1.0])];
         let damping = member.damping * member.inverse_mass;
-        let stiffness = member.tangent() * member.inverse_mass;
+        let stiffness = member.tangent().abs() * member.inverse_mass;
         Self {
             displacement: columns.map(|[displacement, _]| displacement),
             velocity: columns.map(|[_, velocity]| velocity),
@@ -338,7 +338,7 @@ impl Member {
 
     /// The restoring force at a drift, from its hysteretic part.
     pub(super) fn with_hardening(&self, drift: f64, hysteretic_force: f64) -> f64 {
-        if self.hardened_stiffness > 0.0 {
+        if self.hardened_stiffness.abs() > 0.0 {
             self.hardened_stiffness * drift + hysteretic_force
         } else {
             hysteretic_force

@@ -344,7 +344,8 @@ fn fastest_rate<Column: Hysteretic>(row: &Row<Column>, node: usize) -> f64 {
             ..
         } = nodes[node].column.hysteresis();
         match knee {
-            Knee::Sharp => stiffness,
+            // Under gravity the stiffness after yielding may be negative.
+            Knee::Sharp => stiffness * hardening.abs().max(1.0),
             // Unloading may be stiffer than the elastic line.
             Knee::Smooth(smoothness) => {
                 let bend = (2.0 * smoothness.unloading).max(1.0);

@@ -92,7 +92,7 @@ fn storey_magnitude(members: &[Member], member: &Member) -> f64 {
         Some(storey) => (floor + speed(&members[storey.below]), member.ground_damping * floor),
     };
     let amplitude = if rate > 0.0 { drift / rate } else { 0.0 };
-    member.damping * drift + member.state.restoring_force.abs() + member.tangent() * amplitude + ground
+    member.damping * drift + member.state.restoring_force.abs() + member.tangent().abs() * amplitude + ground
 }
 
 /// Present rate of the drift of a node's storey \[m/s\].

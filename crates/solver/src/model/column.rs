@@ -59,7 +59,7 @@ pub trait Hysteretic: RestoringForce {
 pub struct Hysteresis {
     /// Stiffness k \[N/m\], ≥ 0.
     pub stiffness: f64,
-    /// Ratio a of the stiffness after yielding to the stiffness \[–\], 0 ≤ a < 1.
+    /// Ratio a of the stiffness after yielding to the stiffness \[–\], a < 1; negative under gravity that takes more than columns gain.
     pub hardening: f64,
     /// Yield force `f_y` \[N\], > 0: with a sharp knee, the force at the drift `f_y`/k. Infinite for columns that never yield.
     pub yield_force: f64,

@@ -31,6 +31,10 @@ pub struct StructurePeaks {
     pub restoring_force: Peak,
     /// Net pounding force \[N\]; 0 for impulsive contact.
     pub pounding_force: Peak,
+    /// Weight over the height of the storey P/h \[N/m\], 0 without gravity, which the restoring force has taken off.
+    gravity: f64,
+    /// Restoring force plus P/h times the drift \[N\].
+    with_gravity: Peak,
 }
 
 impl StructurePeaks {
@@ -39,7 +43,19 @@ impl StructurePeaks {
         self.storey_drift.unwrap_or(self.displacement)
     }
 
-    fn take(&mut self, state: &State, time: f64) {
+    /// Force of the columns \[N\]: the restoring force without what gravity takes off.
+    pub fn column_force(&self) -> Peak {
+        if self.gravity > 0.0 {
+            self.with_gravity
+        } else {
+            self.restoring_force
+        }
+    }
+
+    fn take(&mut self, state: &State, drift: f64, time: f64) {
+        if self.gravity > 0.0 {
+            self.with_gravity.take(state.restoring_force + self.gravity * drift, time);
+        }
         self.displacement.take(state.displacement, time);
         self.restoring_force.take(state.restoring_force, time);
         self.pounding_force.take(state.pounding_force(), time);
@@ -86,6 +102,12 @@ impl StructurePeaks {
         beyond(displacement(0), reach(terms.map(displacement), x), self.displacement)
             || beyond(drift(0), changes, self.drift())
             || beyond(force, tangent.abs() * changes + bent, self.restoring_force)
+            || (self.gravity > 0.0
+                && beyond(
+                    force + self.gravity * drift(0),
+                    (tangent.abs() + self.gravity) * changes + bent,
+                    self.with_gravity,
+                ))
     }
 
     /// Updates the peaks at x, a turn of the floor or of the storey, if its value is beyond both ends.
@@ -99,6 +121,10 @@ impl StructurePeaks {
         let ends = span.drifts().map(|drift| drift.displacement);
         if beyond(drift.displacement, ends) {
             self.restoring_force.take(state.restoring_force, time);
+            if self.gravity > 0.0 {
+                self.with_gravity
+                    .take(state.restoring_force + self.gravity * drift.displacement, time);
+            }
             if span.below.is_some() {
                 let peak = self.storey_drift.get_or_insert_default();
                 peak.take(drift.displacement, time);
@@ -128,6 +154,15 @@ impl Peaks {
         }
     }
 
+    /// Also records the force of columns under gravity; `stiffnesses` are P/h of every node \[N/m\], ≥ 0.
+    #[must_use]
+    pub fn under_gravity(mut self, stiffnesses: impl IntoIterator<Item = f64>) -> Self {
+        for (peaks, gravity) in self.structures.iter_mut().zip(stiffnesses) {
+            peaks.gravity = gravity;
+        }
+        self
+    }
+
     /// Peaks of a floor, by its node.
     pub fn of(&self, structure: usize) -> &StructurePeaks {
         &self.structures[structure]
@@ -138,8 +173,9 @@ impl Recorder for Peaks {
     #[inline]
     fn span(&mut self, span: &Span<'_>) {
         let peaks = &mut self.structures[span.structure];
+        let [first, last] = span.drifts().map(|drift| drift.displacement);
         if span.start_time == 0.0 {
-            peaks.take(&span.start, 0.0);
+            peaks.take(&span.start, first, 0.0);
         } else {
             // A pounding force jumps if another neighbour hits a floor that presses a damped neighbour. No other quantity jumps.
             let force = span.start.pounding_force();
@@ -156,7 +192,7 @@ impl Recorder for Peaks {
             }
             Path::Cubic(_) | Path::Flight(_) => {}
         }
-        peaks.take(&span.end, span.end_time);
+        peaks.take(&span.end, last, span.end_time);
         if span.below.is_some() {
             peaks.take_drifts(span);
         }

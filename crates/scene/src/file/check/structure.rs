@@ -143,6 +143,8 @@ fn check_capacities(told: &Capacities, height: Option<f64>, place: FieldPlace) -
     require(force > 0.0, place.field("shear_capacity_n"), force, POSITIVE)?;
     let force = told.column_capacity_n.unwrap_or(1.0);
     require(force > 0.0, place.field("column_capacity_n"), force, POSITIVE)?;
+    let load = told.gravity_load_n.unwrap_or(0.0);
+    require(load >= 0.0, place.field("gravity_load_n"), load, NOT_NEGATIVE)?;
     let depth = told.slab_depth_m.unwrap_or(0.0);
     require(depth >= 0.0, place.field("slab_depth_m"), depth, NOT_NEGATIVE)?;
     let columns = f64::from(told.columns.unwrap_or(1));

@@ -126,6 +126,7 @@ impl Alone<'_> {
             structures: vec![structure.clone()],
             contacts: None,
             neighbour: None,
+            p_delta: None,
             arrivals_s: None,
             ..prepared.scene().clone()
         };

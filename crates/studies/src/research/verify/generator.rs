@@ -9,7 +9,9 @@ use super::random::Random;
 use super::written::rewritten;
 use pounding_scene::file::Stochastic;
 use pounding_scene::file::{BoucWen, Ground, RunBudget, ScaleTo};
-use pounding_scene::{Building, Capacities, ColumnShape, Columns, Contact, Damping, FileUse, FloorHeights, Generated, Method, RecordUse};
+use pounding_scene::{
+    Building, Capacities, ColumnShape, Columns, Contact, Damping, FileUse, FloorHeights, Generated, Method, PDelta, RecordUse,
+};
 use pounding_scene::{Scene, Sdof, Source, Storey, Structure};
 
 /// Largest number of storeys of a building.
@@ -29,6 +31,7 @@ pub(super) fn scene(seed: u64, index: usize) -> Scene {
         record: motion(&mut random),
         duration_s: Some(random.within(5.0, 20.0)),
         neighbour: None,
+        p_delta: None,
         arrivals_s: arrivals(&mut random, n),
         floors: Some(FloorHeights::Level),
         structures,
@@ -71,8 +74,10 @@ fn beside_columns(seed: u64, index: usize, scene: Scene) -> Scene {
         column_shape: if straight { ColumnShape::Straight } else { ColumnShape::Fixed },
         ..one
     };
+    let p_delta = random.chance(0.5).then_some(PDelta::FromMasses);
     Scene {
         floors: None,
+        p_delta,
         structures,
         contacts: scene.contacts.map(|all| all.into_iter().map(contact).collect()),
         ..scene
