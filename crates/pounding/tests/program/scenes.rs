@@ -57,7 +57,7 @@ fn extreme_field_unknown() {
     let message = refused("unknown_field", |scene| {
         scene["structures"][0]["sdof"]["mas_kg"] = json!(75e3);
     });
-    assert_snapshot!(message, @"error: scene.json, line 35, column 9: structures[0].sdof.mas_kg: found the field `mas_kg`, allowed are `name`, `mass_kg`, `stiffness_n_per_m`, `period_s`, `damping`, `yield_force_n`, `yield_displacement_m`, `yield_drift_ratio`, `hardening_ratio`, `bouc_wen`, `height_m`, `isolation_layer`, `drift_capacity_ratio`, `shear_capacity_n`, `initial_displacement_m`, `initial_velocity_m_per_s`; perhaps `mass_kg` is meant");
+    assert_snapshot!(message, @"error: scene.json, line 35, column 9: structures[0].sdof.mas_kg: found the field `mas_kg`, allowed are `name`, `mass_kg`, `stiffness_n_per_m`, `period_s`, `damping`, `yield_force_n`, `yield_displacement_m`, `yield_drift_ratio`, `hardening_ratio`, `bouc_wen`, `height_m`, `isolation_layer`, `drift_capacity_ratio`, `shear_capacity_n`, `column_capacity_n`, `columns`, `gravity_load_n`, `slab_depth_m`, `initial_displacement_m`, `initial_velocity_m_per_s`; perhaps `mass_kg` is meant");
 }
 
 #[test]
