@@ -23,9 +23,9 @@ fn extreme_a_word_that_nobody_knows_has_a_nearest() {
 fn issue_words_of_newcomers_are_explained() {
     let folder = folder("explain_more");
     for (word, says) in [
-        ("p-delta", "not modelled"),
-        ("P-Δ", "not modelled"),
-        ("pdelta", "not modelled"),
+        ("p-delta", "let it act"),
+        ("P-Δ", "let it act"),
+        ("pdelta", "let it act"),
         ("base isolator", "first storey"),
         ("event", "components and copies"),
         ("bumper", "pressed flat"),

@@ -68,6 +68,17 @@ fn issue_scenes_of_the_campaign_that_found_faults_agree() {
     }
 }
 
+/// Rows in which slabs hit columns, half of them under gravity: every third scene from number 1000 on.
+#[test]
+fn reference_slabs_against_columns_are_the_same_by_both_routes() {
+    let checked = campaign(1).run(&[1002, 1005, 1011, 1014, 1017, 1020], &|_| ());
+    let apart = checked.iter().filter(|one| !matches!(one.verdict, Verdict::Agrees));
+    let apart: Vec<String> = apart.flat_map(Checked::lines).collect();
+    assert!(apart.is_empty(), "{apart:#?}");
+    let beside = |one: &Checked| campaign(1).scene(one.index).floors.is_none();
+    assert!(checked.iter().all(beside));
+}
+
 #[test]
 fn limit_a_campaign_does_not_depend_on_threads() {
     let lines = |n_threads| {
