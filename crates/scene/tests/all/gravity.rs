@@ -27,7 +27,7 @@ structures = [{{ sdof = {{ name = "a", mass_kg = {}, stiffness_n_per_m = {stiffn
     )
 }
 
-/// From rest it collapses above ω u_y √((1 − θ)/θ), and turns below.
+/// From rest it collapses above the velocity of the case, and turns below.
 #[test]
 fn reference_the_velocity_above_which_a_storey_collapses() {
     let (inputs, expected) = case("p-delta.json");
