@@ -109,6 +109,7 @@ def building(
         From the ground up: dicts with ``mass`` [kg], ``stiffness`` [N/m], ``height`` [m], ``yield_force`` [N],
         ``yield_displacement`` [m], ``yield_drift_ratio`` [–], ``hardening_ratio`` [–],
         ``drift_capacity_ratio`` [–], ``shear_capacity`` [N], ``isolation_layer``,
+        ``isolator`` (a table as in a file), ``isolator_damping`` [N·s/m], ``displacement_capacity`` [m],
         ``column_capacity`` [N], ``columns``, ``gravity_load`` [N], ``slab_depth`` [m], ``repeat`` (number of equal storeys).
     period
         First natural period [s], which determines the stiffness of equal storeys; or ``stiffness`` of each storey.

@@ -29,6 +29,8 @@ STRUCTURE = {
     "shear_capacity": "shear_capacity_n",
     "column_capacity": "column_capacity_n",
     "gravity_load": "gravity_load_n",
+    "isolator_damping": "isolator_damping_n_s_per_m",
+    "displacement_capacity": "displacement_capacity_m",
     "slab_depth": "slab_depth_m",
     "initial_displacement": "initial_displacement_m",
     "initial_velocity": "initial_velocity_m_per_s",

@@ -7,7 +7,8 @@ use serde::{Deserialize, Serialize};
 
 use super::choice;
 use super::columns::{BoucWen, Capacities, Columns, ColumnsFile, positive};
-use crate::Damping;
+use super::isolator::Isolator;
+use crate::{Damping, STANDARD_GRAVITY};
 
 /// A building whose floors move as rigid plates on the columns of their storeys (shear building).
 ///
@@ -86,6 +87,13 @@ struct StoreyFile {
     /// Height of the storey \[m\], > 0; for drift ratios and for which floors face each other. An isolation layer without it has its base
     /// slab at the ground.
     height_m: Option<f64>,
+    /// Isolators of the lowest storey, in place of its stiffness and yielding.
+    #[serde(default, deserialize_with = "choice::maybe")]
+    isolator: Option<Isolator>,
+    /// Viscous damping of the isolators \[N·s/m\], ≥ 0; 0 by default. `damping` of the building leaves their storey out.
+    isolator_damping_n_s_per_m: Option<f64>,
+    /// Displacement that the isolators bear \[m\], > 0; by default it is not judged.
+    displacement_capacity_m: Option<f64>,
     /// Whether the lowest storey stands for isolators, which have no limits of columns. By default `check` asks if it looks like them.
     isolation_layer: Option<bool>,
     /// Drift over `height_m` that the columns bear \[–\], > 0; by default that of ductile construction, 0.025 and a ductility of 6.
@@ -141,10 +149,12 @@ impl TryFrom<BuildingFile> for Building {
             return Err(found.help("`repeat` counts too"));
         }
         words.check_isolation()?;
-        let stiffnesses = words.stiffnesses()?;
+        let isolators = words.isolators()?;
+        let stiffnesses = words.stiffnesses(isolators.as_ref())?;
         let mut storeys = Vec::with_capacity(count);
         for (index, (storey, stiffness)) in words.storeys.iter().zip(stiffnesses).enumerate() {
-            let one = storey.storey(stiffness).map_err(|refused| in_storey(index, refused))?;
+            let isolators = isolators.as_ref().filter(|_| index == 0);
+            let one = storey.storey(stiffness, isolators).map_err(|refused| in_storey(index, refused))?;
             storeys.extend(std::iter::repeat_n(one, storey.repeat));
         }
         Ok(Self {
@@ -167,29 +177,84 @@ impl BuildingFile {
         })
     }
 
-    /// Stiffness of every storey in the list \[N/m\].
-    fn stiffnesses(&self) -> Result<Vec<f64>, Refused> {
-        let given = self.storeys.iter().map(|one| one.stiffness_n_per_m);
+    /// The loop of the isolators under the building, if there are any.
+    ///
+    /// The weight above is the sum of the gravity loads, or without any that of the masses.
+    fn isolators(&self) -> Result<Option<Columns>, Refused> {
+        let mut all = self
+            .storeys
+            .iter()
+            .enumerate()
+            .filter_map(|(index, one)| Some((index, one, one.isolator?)));
+        let Some((index, storey, isolator)) = all.next() else {
+            let alone = self
+                .storeys
+                .iter()
+                .position(|one| one.isolator_damping_n_s_per_m.is_some() && one.isolation_layer.is_none());
+            return alone.map_or(Ok(None), |index| {
+                let found = Refused::at(format!("storeys[{index}].isolator_damping_n_s_per_m")).found("it without an isolator");
+                Err(found.allowed_is("it beside isolator, or beside isolation_layer = true"))
+            });
+        };
+        let place = format!("storeys[{index}].isolator");
+        if index > 0 || storey.repeat > 1 {
+            let found = Refused::at(place).found("isolators above the lowest storey");
+            return Err(found.allowed("the lowest storey of a building, once"));
+        }
+        let has_columns = storey.stiffness_n_per_m.is_some()
+            || storey.yield_force_n.is_some()
+            || storey.yield_displacement_m.is_some()
+            || storey.yield_drift_ratio.is_some()
+            || storey.hardening_ratio.is_some()
+            || storey.bouc_wen.is_some();
+        if has_columns {
+            let found = Refused::at(place).found("isolators beside a stiffness or a yield point of the storey");
+            return Err(found.allowed_is("one of both").help("isolators have their own stiffness"));
+        }
+        let times = |one: &StoreyFile, value: f64| one.repeat as f64 * value;
+        let loads: f64 = self.storeys.iter().map(|one| times(one, one.gravity_load_n.unwrap_or(0.0))).sum();
+        let masses: f64 = self.storeys.iter().map(|one| times(one, one.mass_kg)).sum();
+        let weight = if loads > 0.0 { loads } else { masses * STANDARD_GRAVITY };
+        isolator.columns(weight).map(Some).map_err(|refused| in_storey(index, refused))
+    }
+
+    /// Stiffness of every storey in the list \[N/m\]. A period is that of the building fixed above its isolators.
+    fn stiffnesses(&self, isolators: Option<&Columns>) -> Result<Vec<f64>, Refused> {
+        let Some(isolators) = isolators else {
+            return self.stiffnesses_of(0);
+        };
+        let above = self.stiffnesses_of(1)?;
+        Ok(std::iter::once(isolators.stiffness_n_per_m).chain(above).collect())
+    }
+
+    /// Stiffness of every storey from this one on \[N/m\].
+    fn stiffnesses_of(&self, first: usize) -> Result<Vec<f64>, Refused> {
+        let storeys = &self.storeys[first..];
+        if storeys.is_empty() {
+            return Ok(Vec::new());
+        }
+        let given = storeys.iter().map(|one| one.stiffness_n_per_m);
         let Some(period) = self.period_s else {
-            let stiffness = |(index, given): (usize, Option<f64>)| given.ok_or_else(|| no_stiffness(index));
+            let stiffness = |(index, given): (usize, Option<f64>)| given.ok_or_else(|| no_stiffness(first + index));
             return given.enumerate().map(stiffness).collect();
         };
         let n_given = given.clone().flatten().count();
-        if n_given != 0 && n_given != self.storeys.len() {
+        if n_given != 0 && n_given != storeys.len() {
             let some = Refused::at("storeys").found("`stiffness_n_per_m` in some of them");
             return Err(some.allowed_is("in all or, with `period_s`, in none"));
         }
         let period = positive("period_s", period)?;
         let proportions: Vec<f64> = given.map(|given| given.unwrap_or(1.0)).collect();
-        let mut storeys = Vec::new();
-        for (index, (storey, proportion)) in self.storeys.iter().zip(&proportions).enumerate() {
+        let mut all = Vec::new();
+        for (index, (storey, proportion)) in storeys.iter().zip(&proportions).enumerate() {
+            let index = first + index;
             let mass = positive(format!("storeys[{index}].mass_kg"), storey.mass_kg)?;
             let field = format!("storeys[{index}].stiffness_n_per_m");
             let stiffness = positive(field, *proportion)?;
             let one = undamped(mass, stiffness);
-            storeys.extend(std::iter::repeat_n(one, storey.repeat));
+            all.extend(std::iter::repeat_n(one, storey.repeat));
         }
-        let found = modes(&storeys).ok();
+        let found = modes(&all).ok();
         let found = found.and_then(|modes| modes.first().map(Mode::period));
         let found = found.ok_or_else(|| {
             let unlike = Refused::at("storeys").found("masses and stiffnesses so unlike that their modes cannot be told");
@@ -214,7 +279,7 @@ fn in_storey(storey: usize, refused: Refused) -> Refused {
 }
 
 impl StoreyFile {
-    fn storey(&self, stiffness: f64) -> Result<Storey, Refused> {
+    fn storey(&self, stiffness: f64, isolators: Option<&Columns>) -> Result<Storey, Refused> {
         let words = ColumnsFile {
             yield_force_n: self.yield_force_n,
             yield_displacement_m: self.yield_displacement_m,
@@ -226,9 +291,11 @@ impl StoreyFile {
         Ok(Storey {
             mass_kg: self.mass_kg,
             height_m: self.height_m,
-            columns: words.columns(stiffness)?,
+            columns: isolators.map_or_else(|| words.columns(stiffness), |isolators| Ok(*isolators))?,
             capacities: Capacities {
-                isolation_layer: self.isolation_layer,
+                isolation_layer: self.isolation_layer.or(isolators.map(|_| true)),
+                isolator_damping_n_s_per_m: self.isolator_damping_n_s_per_m.or(isolators.map(|_| 0.0)),
+                displacement_capacity_m: self.displacement_capacity_m,
                 drift_capacity_ratio: self.drift_capacity_ratio,
                 shear_capacity_n: self.shear_capacity_n,
                 column_capacity_n: self.column_capacity_n,
@@ -265,6 +332,9 @@ impl Building {
             hardening_ratio: None,
             bouc_wen: None,
             height_m: *height_m,
+            isolator: None,
+            isolator_damping_n_s_per_m: None,
+            displacement_capacity_m: None,
             isolation_layer: None,
             drift_capacity_ratio: None,
             shear_capacity_n: None,
@@ -303,6 +373,11 @@ impl Building {
 
     /// Damping coefficients of every storey \[N·s/m\]: between its floor and the floor below, and of its floor against the ground.
     pub fn dampings(&self) -> Vec<(f64, f64)> {
+        if let Some(isolators) = self.isolator_damping() {
+            let factor = self.damping_above_isolators();
+            let above = self.storeys[1..].iter().map(|one| (factor * one.columns.stiffness_n_per_m, 0.0));
+            return std::iter::once((isolators, 0.0)).chain(above).collect();
+        }
         // Finding modes takes time with the cube of the number of storeys.
         let damping = self.rayleigh();
         let of = |storey: &Storey| match damping {
@@ -313,9 +388,37 @@ impl Building {
         self.storeys.iter().map(of).collect()
     }
 
+    /// Viscous damping of the isolators \[N·s/m\]; `None` of a building without isolators' words, whose damping has no exception.
+    pub(crate) fn isolator_damping(&self) -> Option<f64> {
+        self.storeys.first()?.capacities.isolator_damping_n_s_per_m
+    }
+
+    /// Factor β of the damping above isolators, proportional to stiffness \[s\]: a ratio holds in the first mode of the building that is fixed
+    /// above them.
+    fn damping_above_isolators(&self) -> f64 {
+        match self.damping {
+            Damping::Ratio(ratio) => {
+                let above: Vec<_> = self.storeys[1..]
+                    .iter()
+                    .map(|one| undamped(one.mass_kg, one.columns.stiffness_n_per_m))
+                    .collect();
+                let first = modes(&above)
+                    .ok()
+                    .and_then(|modes| Some(modes.first()?.oscillation().angular_frequency));
+                first.map_or(0.0, |omega| 2.0 * ratio / omega)
+            }
+            Damping::Rayleigh { beta_s, .. } => beta_s,
+            // The check of a scene refuses them.
+            Damping::TwoFrequencies { .. } | Damping::Modes { .. } => 0.0,
+        }
+    }
+
     /// Factor α of the damping that is proportional to mass \[1/s\]: dashpots between every floor and the ground; 0 for a building of one
     /// storey, whose damping is that of the storey.
     pub(crate) fn mass_damping(&self) -> f64 {
+        if self.isolator_damping().is_some() {
+            return 0.0;
+        }
         match self.rayleigh() {
             SolverDamping::Rayleigh { alpha, .. } if self.storeys.len() > 1 => alpha,
             SolverDamping::Rayleigh { .. } | SolverDamping::Ratio(_) => 0.0,

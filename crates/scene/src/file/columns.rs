@@ -51,6 +51,12 @@ pub struct Capacities {
     /// Number of equal columns of the storey, ≥ 1: the bending of the one that is hit stands in series with a linear contact.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub columns: Option<u32>,
+    /// Viscous damping of the isolators \[N·s/m\], ≥ 0: other damping leaves their storey out. Absent for storeys without isolators' words.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub isolator_damping_n_s_per_m: Option<f64>,
+    /// Displacement that the isolators bear \[m\], > 0.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub displacement_capacity_m: Option<f64>,
     /// Weight on the floor that acts on leaning storeys \[N\], ≥ 0: of a storey the sum of those above it.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub gravity_load_n: Option<f64>,

@@ -12,6 +12,7 @@ mod damping;
 pub(crate) mod error;
 pub(crate) mod fault;
 mod generated;
+mod isolator;
 mod method;
 mod neighbour;
 pub(crate) mod position;

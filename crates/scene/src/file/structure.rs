@@ -274,6 +274,8 @@ impl SdofFile {
                 columns: self.columns,
                 slab_depth_m: self.slab_depth_m,
                 gravity_load_n: self.gravity_load_n,
+                isolator_damping_n_s_per_m: None,
+                displacement_capacity_m: None,
             },
             initial_displacement_m: self.initial_displacement_m,
             initial_velocity_m_per_s: self.initial_velocity_m_per_s,

@@ -133,6 +133,7 @@ impl Excess {
             (_, Some(capacity)) if [ExcessKind::Shear, ExcessKind::ColumnHit].contains(&self.kind) => {
                 format!(", above its capacity of {} kN", short(1e-3 * capacity))
             }
+            (_, Some(capacity)) if self.kind == ExcessKind::Displacement => format!(", above its capacity of {} mm", short(1e3 * capacity)),
             (_, Some(capacity)) => format!(", above its capacity of {}", percent(capacity)),
             (bound, None) => bound.into(),
         };
@@ -240,6 +241,10 @@ impl Simulation {
         let ratio = made_of.height_m.map(|height| drift / height);
         let mut all = Vec::new();
         all.extend(told.shear_capacity_n.map(|capacity| (ExcessKind::Shear, shear, Some(capacity))));
+        all.extend(
+            told.displacement_capacity_m
+                .map(|capacity| (ExcessKind::Displacement, drift, Some(capacity))),
+        );
         if let Some((ratio, capacity)) = ratio.zip(told.drift_capacity_ratio) {
             all.push((ExcessKind::Drift, ratio, Some(capacity)));
         } else if !one.is_isolation_layer() {

@@ -35,6 +35,12 @@ impl Excess {
                 percent(found)
             ),
             ExcessKind::ColumnHit => column_hit(found, self.capacity),
+            ExcessKind::Displacement if self.capacity.is_some() => format!(
+                "displacement of {} mm of its isolators, above their capacity of {} mm: they may tear, stiffen or slide off, which the model \
+                 leaves out",
+                short(1e3 * found),
+                short(1e3 * self.capacity.unwrap_or_default())
+            ),
             ExcessKind::Displacement => format!(
                 "drift of {} m: more than 2.5 % of any usual storey; give height_m, and look at the scale of the record",
                 short(found)

@@ -7,6 +7,7 @@ mod errors;
 mod extremes;
 mod floors;
 mod gravity;
+mod isolators;
 mod judged;
 mod lean;
 mod mirrored;

@@ -90,12 +90,32 @@ fn check_building(building: &Building, place: FieldPlace) -> Result<(), Refused>
         check_start(storey.initial_displacement_m, storey.initial_velocity_m_per_s, place)?;
     }
     check_damping(&building.damping, place)?;
+    check_damping_above_isolators(building, place)?;
     check_modes(building, place)?;
     let least = |least: f64, (damping, ground): (f64, f64)| least.min(damping).min(ground);
     let found = building.dampings().into_iter().fold(0.0, least);
     let allowed = "damping that takes energy in every storey and floor; closer ratios, or modes or frequencies further apart, \
                    give some";
     require(found >= 0.0, place.field("damping"), found, allowed)
+}
+
+/// Refuses damping that would give isolators dampers that nobody built.
+fn check_damping_above_isolators(building: &Building, place: FieldPlace) -> Result<(), Refused> {
+    if building.isolator_damping().is_none() {
+        return Ok(());
+    }
+    const ALLOWED: &str = "a ratio, or rayleigh with alpha_per_s = 0: the damping of the building above its isolators";
+    match building.damping {
+        Damping::Ratio(_) => Ok(()),
+        Damping::Rayleigh { alpha_per_s, .. } => require(
+            alpha_per_s <= 0.0,
+            place.field("damping.rayleigh.alpha_per_s"),
+            alpha_per_s,
+            ALLOWED,
+        ),
+        Damping::TwoFrequencies { ratios, .. } => require(false, place.field("damping.two_frequencies"), ratios[0], ALLOWED),
+        Damping::Modes { ratios, .. } => require(false, place.field("damping.modes"), ratios[0], ALLOWED),
+    }
 }
 
 /// Refuses modes that the building does not have.
@@ -143,6 +163,10 @@ fn check_capacities(told: &Capacities, height: Option<f64>, place: FieldPlace) -
     require(force > 0.0, place.field("shear_capacity_n"), force, POSITIVE)?;
     let force = told.column_capacity_n.unwrap_or(1.0);
     require(force > 0.0, place.field("column_capacity_n"), force, POSITIVE)?;
+    let viscous = told.isolator_damping_n_s_per_m.unwrap_or(0.0);
+    require(viscous >= 0.0, place.field("isolator_damping_n_s_per_m"), viscous, NOT_NEGATIVE)?;
+    let capacity = told.displacement_capacity_m.unwrap_or(1.0);
+    require(capacity > 0.0, place.field("displacement_capacity_m"), capacity, POSITIVE)?;
     let load = told.gravity_load_n.unwrap_or(0.0);
     require(load >= 0.0, place.field("gravity_load_n"), load, NOT_NEGATIVE)?;
     let depth = told.slab_depth_m.unwrap_or(0.0);

@@ -1,0 +1,126 @@
+//! Isolators in words: cases with closed forms in `tests/reach`.
+
+use std::path::Path;
+
+use pounding_scene::{ExcessKind, Scene, Simulation, Structure};
+
+use crate::beside::{case, number, prepared};
+
+/// A rigid building of 400 t on isolators, let go at a displacement.
+fn rigid(isolator: &str, displacement: f64) -> String {
+    format!(
+        r#"
+name = "isolated"
+record.generated.half_sine = {{ amplitude_m_per_s2 = 0, duration_s = 0.4, time_step_s = 0.01 }}
+duration_s = 8
+structures = [{{ building = {{ name = "a", damping.ratio = 0.02, storeys = [
+  {{ mass_kg = 4e5, {isolator}, displacement_capacity_m = 0.35, initial_displacement_m = {displacement} }},
+] }} }}]
+"#
+    )
+}
+
+fn lowest(simulation: &Simulation) -> pounding_scene::Storey {
+    match &simulation.scene().structures[0] {
+        Structure::Building(building) => building.storeys[0],
+        Structure::Sdof(_) | Structure::Wall => panic!("a building"),
+    }
+}
+
+#[test]
+fn reference_lead_rubber() {
+    let (inputs, expected) = case("isolator-lead-rubber.json");
+    let of = |name: &str| number(&inputs, name);
+    let words = format!(
+        "isolator.lead_rubber = {{ strength_n = {}, stiffness_after_n_per_m = {}, yield_displacement_m = {} }}",
+        of("Q_n"),
+        of("K2_n_per_m"),
+        of("Dy_m")
+    );
+    let storey = lowest(&prepared(&rigid(&words, 0.0)));
+    let found = [
+        (storey.columns.stiffness_n_per_m, "K1_n_per_m"),
+        (storey.columns.yield_force_n.expect("it yields"), "yield_force_n"),
+        (storey.columns.hardening_ratio.expect("it hardens"), "hardening_ratio"),
+    ];
+    for (found, name) in found {
+        assert!((found / number(&expected, name) - 1.0).abs() < 1e-12, "{name}: {found}");
+    }
+    assert_eq!(storey.capacities.isolation_layer, Some(true));
+}
+
+/// Turning points fall by 2µR each half period. Pendulums that slide after a tenth of a millimetre come within a millimetre of those that stick.
+#[test]
+fn limit_friction_pendulums_that_stick() {
+    let (inputs, expected) = case("isolator-friction-pendulum.json");
+    let of = |name: &str| number(&inputs, name);
+    let words = format!(
+        "isolator.friction_pendulum = {{ radius_m = {}, friction = {}, yield_displacement_m = 1e-4 }}",
+        of("R_m"),
+        of("mu")
+    );
+    let simulation = prepared(&rigid(&words, of("u0_m")));
+    let run = simulation.run(Some(0.001)).expect("it runs");
+    let histories = run.histories.as_ref().expect("asked for");
+    let states = &histories.of(0).states;
+    let turns = (1..states.len() - 1).filter(|row| states[*row].velocity * states[row - 1].velocity < 0.0);
+    let turns: Vec<f64> = turns.map(|row| states[row].displacement).collect();
+    let wanted: Vec<f64> = serde_json::from_value(expected["turning_points_m"].clone()).expect("numbers");
+    for (found, wanted) in turns.iter().zip(&wanted[1..3]) {
+        assert!((found - wanted).abs() < 1e-3, "{found} {wanted}");
+    }
+    let residual = states[states.len() - 1].displacement;
+    assert!((residual - number(&expected, "residual_m")).abs() < 1e-3, "{residual}");
+    let excesses = simulation.excesses(&run);
+    let beyond = excesses
+        .iter()
+        .find(|one| one.kind == ExcessKind::Displacement)
+        .expect("0.4 m is too far");
+    insta::assert_snapshot!(beyond, @"a, floor 1: displacement of 400.0 mm of its isolators, above their capacity of 350.0 mm: they may tear, stiffen or slide off, which the model leaves out");
+}
+
+#[test]
+fn extreme_words_of_isolators_that_are_refused() {
+    let refused = |isolator: &str| {
+        Scene::parse(rigid(isolator, 0.0).as_bytes(), Path::new("scene.toml"))
+            .and_then(|scene| Simulation::new(&scene, ""))
+            .expect_err("it is refused")
+            .to_string()
+    };
+    let all = [
+        "isolator.friction_pendulum = { radius_m = 2.5, friction = 0.05, yield_displacement_m = 0 }",
+        "isolator.rubber.stiffness_n_per_m = 1e6, stiffness_n_per_m = 1e6",
+        "stiffness_n_per_m = 1e6, isolator_damping_n_s_per_m = 1e5",
+        "isolator.spring.stiffness_n_per_m = 1e6",
+    ];
+    insta::assert_snapshot!(all.map(refused).join("\n"), @"
+    scene.toml, line 6, column 84: structures[0].building.storeys[0].isolator.friction_pendulum.yield_displacement_m: found 0, allowed a finite number > 0
+    scene.toml, line 6, column 20: structures[0].building.storeys[0].isolator: found isolators beside a stiffness or a yield point of the storey, allowed is one of both; isolators have their own stiffness
+    scene.toml, line 6, column 45: structures[0].building.storeys[0].isolator_damping_n_s_per_m: found it without an isolator, allowed is it beside isolator, or beside isolation_layer = true
+    scene.toml, line 6, column 29: structures[0].building.storeys[0].isolator: found `spring`, allowed are `lead_rubber`, `friction_pendulum`, `rubber`
+    ");
+}
+
+/// Rayleigh damping leaves the isolators out: they keep their own, and the building above has its ratio in its own first mode.
+#[test]
+fn reference_damping_above_isolators() {
+    let text = r#"
+name = "isolated"
+record.generated.half_sine = { amplitude_m_per_s2 = 0, duration_s = 0.4, time_step_s = 0.01 }
+structures = [{ building = { name = "a", damping.ratio = 0.02, storeys = [
+  { mass_kg = 4e5, isolator.rubber.stiffness_n_per_m = 8e6, isolator_damping_n_s_per_m = 1.5e5 },
+  { mass_kg = 3e5, stiffness_n_per_m = 3e8, height_m = 3 },
+] } }]
+"#;
+    let simulation = prepared(text);
+    let Structure::Building(building) = &simulation.scene().structures[0] else {
+        panic!("a building")
+    };
+    // 2ζ/ω k of one storey that is fixed at its foot: 2ζ √(k m).
+    let wanted = 2.0 * 0.02 * (3e8_f64 * 3e5).sqrt();
+    let [isolators, above] = building.dampings()[..] else {
+        panic!("two storeys")
+    };
+    assert_eq!(isolators, (1.5e5, 0.0));
+    assert!((above.0 / wanted - 1.0).abs() < 1e-12 && above.1 == 0.0, "{above:?}");
+}
