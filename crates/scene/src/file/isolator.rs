@@ -87,7 +87,7 @@ impl Isolator {
     }
 }
 
-/// K₁ = K₂ + Q/D_y, which yields at K₁ D_y.
+/// The stiffness before yielding is that after it plus the strength over the displacement at yielding.
 fn bilinear(strength: f64, after: f64, yields_at: f64) -> Columns {
     let before = after + strength / yields_at;
     Columns {

@@ -17,6 +17,7 @@ use crate::Damping;
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 #[schemars(transform = or_empty_wall)]
+#[expect(clippy::large_enum_variant, reason = "a row has few structures")]
 pub enum Structure {
     /// A structure of one storey (single degree of freedom).
     Sdof(Sdof),
@@ -42,6 +43,7 @@ fn or_empty_wall(schema: &mut schemars::Schema) {
 /// A structure or a wall as files give it.
 #[derive(Deserialize, Serialize)]
 #[serde(rename_all = "snake_case", deny_unknown_fields)]
+#[expect(clippy::large_enum_variant, reason = "it is read once")]
 pub(super) enum NamedStructure {
     Sdof(Sdof),
     Building(Building),

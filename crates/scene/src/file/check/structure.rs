@@ -99,22 +99,23 @@ fn check_building(building: &Building, place: FieldPlace) -> Result<(), Refused>
     require(found >= 0.0, place.field("damping"), found, allowed)
 }
 
+const ABOVE_ISOLATORS: &str = "a ratio, or rayleigh with alpha_per_s = 0: the damping of the building above its isolators";
+
 /// Refuses damping that would give isolators dampers that nobody built.
 fn check_damping_above_isolators(building: &Building, place: FieldPlace) -> Result<(), Refused> {
     if building.isolator_damping().is_none() {
         return Ok(());
     }
-    const ALLOWED: &str = "a ratio, or rayleigh with alpha_per_s = 0: the damping of the building above its isolators";
     match building.damping {
         Damping::Ratio(_) => Ok(()),
         Damping::Rayleigh { alpha_per_s, .. } => require(
             alpha_per_s <= 0.0,
             place.field("damping.rayleigh.alpha_per_s"),
             alpha_per_s,
-            ALLOWED,
+            ABOVE_ISOLATORS,
         ),
-        Damping::TwoFrequencies { ratios, .. } => require(false, place.field("damping.two_frequencies"), ratios[0], ALLOWED),
-        Damping::Modes { ratios, .. } => require(false, place.field("damping.modes"), ratios[0], ALLOWED),
+        Damping::TwoFrequencies { ratios, .. } => require(false, place.field("damping.two_frequencies"), ratios[0], ABOVE_ISOLATORS),
+        Damping::Modes { ratios, .. } => require(false, place.field("damping.modes"), ratios[0], ABOVE_ISOLATORS),
     }
 }
 
