@@ -165,8 +165,7 @@ impl AssessedRun {
 
 /// Responses above which no result of the model is believed: twice the drift and the ductility that codes allow, and a twentieth of 12 m for
 /// a storey of unknown height. At the stability coefficient gravity takes all of the strength of a storey.
-const MOST_BELIEVED: [(ExcessKind, f64); 5] = [
-    (ExcessKind::Collapse, Excess::COLLAPSED),
+const MOST_BELIEVED: [(ExcessKind, f64); 4] = [
     (ExcessKind::Drift, 0.05),
     (ExcessKind::Displacement, 0.6),
     (ExcessKind::Ductility, 12.0),

@@ -58,6 +58,9 @@ where
         };
         method.step(row, step, &mut work, recorder)?;
         work.steps += 1;
+        if let Some((structure, time)) = recorder.fallen() {
+            return Err(RunError::Fallen { structure, time });
+        }
     }
     Ok(work)
 }

@@ -129,7 +129,10 @@ impl AssessmentReport {
     pub fn warnings(&self) -> Vec<String> {
         let mut said: Vec<String> = self.excesses().iter().map(ToString::to_string).collect();
         said.extend(Excess::says_assumed(&self.floors, |floor| {
-            let drifts = self.motions.iter().map(|one| one.run.floors[floor].beside.drift);
+            let drifts = self
+                .motions
+                .iter()
+                .map(|one| one.run.floors[floor].beside.drift.max(one.run.floors[floor].alone.drift));
             drifts.fold(0.0, f64::max)
         }));
         said.extend(self.misfit());

@@ -37,8 +37,6 @@ pub enum ExcessKind {
     LeftOut,
     /// Shear force of a column that a slab hits \[N\]; 0 for impacts, which have no force.
     ColumnHit,
-    /// Ratio of the drift to the height of a storey on which gravity acts \[–\].
-    Collapse,
     /// Drift of a storey of unknown height \[m\].
     Displacement,
     /// Stability coefficient P Δ/(V h) of a storey \[–\].
@@ -74,9 +72,6 @@ impl Excess {
     /// Stability coefficients \[–\]: gravity matters above the first one, and a design above the second one is not allowed. EN
     /// 1998-1:2004, 4.4.2.2 (2), and ASCE 7-16, 12.8.7.
     pub const MOST_STABILITY: [f64; 2] = [0.1, 0.25];
-
-    /// Drift ratio at which a storey under gravity counts as collapsed \[–\]. A convention: no column stands there.
-    pub const COLLAPSED: f64 = 0.2;
 
     /// Largest base shear over weight \[–\] of which a frame is usually capable. A convention: special frames of ASCE 7-16, Table 12.2-1, at
     /// `S_DS` = 1 have 1/8 by design, and 3/8 with their overstrength.
@@ -197,7 +192,15 @@ impl Simulation {
                 often: None,
             })
         });
-        hit.collect()
+        let mut hit: Vec<Excess> = hit.collect();
+        let others = match hit.len() {
+            0 | 1 => String::new(),
+            n => format!(" and {} more", n - 1),
+        };
+        for one in &mut hit {
+            one.name.push_str(&others);
+        }
+        hit
     }
 
     fn excess(&self, floor: usize, (kind, found, capacity): Judged) -> Excess {
@@ -225,7 +228,11 @@ impl Simulation {
         let all = floors.flat_map(|floor| self.judged(result, floor).into_iter().map(move |one| (floor, one)));
         let all = all.filter(|(_, (kind, ..))| kind.strains());
         let all = all.map(|(floor, one)| self.excess(floor, one));
-        let strains = all.map(|one| (one.share(), one)).filter(|(share, _)| share.is_finite());
+        let columns = self.columns_hit(result).into_iter().filter(|one| one.capacity.is_some());
+        let strains = all
+            .chain(columns)
+            .map(|one| (one.share(), one))
+            .filter(|(share, _)| share.is_finite());
         strains.max_by(|one, other| one.0.total_cmp(&other.0))
     }
 
@@ -264,9 +271,7 @@ impl Simulation {
             all.push((ExcessKind::Displacement, drift, None));
             return all;
         };
-        if made_of.gravity_n_per_m > 0.0 {
-            all.extend(ratio.map(|ratio| (ExcessKind::Collapse, ratio, None)));
-        } else {
+        if made_of.gravity_n_per_m <= 0.0 {
             let weight = self.weight_above(floor);
             all.push((ExcessKind::Stability, weight * drift / (shear * height), None));
         }
@@ -326,7 +331,6 @@ impl ExcessKind {
     fn most(self) -> f64 {
         match self {
             Self::AtColumn | Self::BesideColumn | Self::AtFoot | Self::LeftOut | Self::ColumnHit => 0.0,
-            Self::Collapse => Excess::COLLAPSED,
             Self::Displacement => MOST_UNKNOWN,
             Self::Stability => Excess::MOST_STABILITY[0],
             Self::Drift => Excess::MOST_DRIFT,
@@ -343,7 +347,6 @@ impl ExcessKind {
     /// The general limit behind a value of this kind, in words; empty if the value says enough.
     fn bound(self) -> &'static str {
         match self {
-            Self::Collapse => ", above 20 %",
             Self::Displacement => ", above 0.3 m",
             Self::Drift => ", above 2.5 %",
             Self::Ductility => ", above 6",
@@ -363,10 +366,7 @@ impl ExcessKind {
 
     /// Whether it is a drift or a force that the columns must bear. Effects of gravity and residual drifts follow from drifts.
     pub fn strains(self) -> bool {
-        matches!(
-            self,
-            Self::Collapse | Self::Displacement | Self::Drift | Self::Ductility | Self::Shear
-        )
+        matches!(self, Self::Displacement | Self::Drift | Self::Ductility | Self::Shear)
     }
 
     /// Whether something may touch without a contact in the model: a column, or floors of a level that is left out.
@@ -389,7 +389,6 @@ impl ExcessKind {
             Self::LeftOut => "may touch, and were not looked at".into(),
             Self::ColumnHit if found > 0.0 => format!("hit by a slab, with a shear force of {} kN", two_digits(1e-3 * found)),
             Self::ColumnHit => "hit by a slab".into(),
-            Self::Collapse => format!("collapses, drift of {}", percent(found)),
             Self::Displacement => format!("drift of {} mm", short(1e3 * found)),
             Self::Stability => format!("stability coefficient of {}", short(found)),
             Self::Drift => format!("drift of {}", percent(found)),

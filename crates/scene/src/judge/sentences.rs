@@ -30,10 +30,6 @@ impl Excess {
         let found = self.found;
         match self.kind {
             ExcessKind::AtColumn | ExcessKind::BesideColumn | ExcessKind::AtFoot | ExcessKind::LeftOut => String::new(),
-            ExcessKind::Collapse => format!(
-                "collapses: under gravity it drifts by {} of the storey height, above 20 %, where no column stands; what comes after is no result",
-                percent(found)
-            ),
             ExcessKind::ColumnHit => column_hit(found, self.capacity),
             ExcessKind::Displacement if self.capacity.is_some() => format!(
                 "displacement of {} mm of its isolators, above their capacity of {} mm: they may tear, stiffen or slide off, which the model \
@@ -64,7 +60,7 @@ impl Excess {
             ),
             ExcessKind::ResidualDrift if found > Excess::MOST_DRIFT => format!(
                 "drift of {} of the storey height left at the end, more than 2.5 %, which columns hardly survive: the value is one of a model \
-                 without loss of strength and without gravity, and says only that the building would not be used again",
+                 without loss of strength, and says only that the building would not be used again",
                 percent(found)
             ),
             ExcessKind::ResidualDrift => format!(
@@ -149,7 +145,7 @@ fn column_hit(found: f64, capacity: Option<f64>) -> String {
         ),
         None => format!(
             "a slab of the neighbour hits it between its floors: a shear force of {shear} kN in one column for the assumed contact stiffness, \
-             which can bring the building down (column_capacity_n)"
+             which can bring the building down (column_capacity_n; slab_depth_m where slabs overlap)"
         ),
     }
 }

@@ -10,7 +10,10 @@ use pounding_solver::{
 use super::Simulation;
 use crate::settings::out_of_range;
 use crate::{ColumnBeside, Error, Floor, Method, Structure};
-use pounding_text::{RefusalKind, Refused, digits, short};
+use pounding_text::{RefusalKind, Refused, digits, percent, short};
+
+/// Drift ratio at which a storey under gravity counts as fallen \[–\]. A convention: no column stands there.
+const FALLEN: f64 = 0.2;
 
 /// Number of looks at a motion in the shortest natural period, unless its series allows fewer; see [`Closings`].
 const LOOKS_PER_PERIOD: f64 = 200.0;
@@ -210,7 +213,10 @@ impl Simulation {
         let mut recorders = Recorders::usual(self.floors.all().len(), self.pairs());
         recorders.collisions = recorders.collisions.travelled(self.travel());
         if self.floors.has_gravity() {
-            let of = |floor: &Floor| floor.made_of.map_or(0.0, |made| made.gravity_n_per_m);
+            let of = |floor: &Floor| {
+                let made = floor.made_of;
+                made.map_or([0.0; 2], |made| [made.gravity_n_per_m, FALLEN * made.height_m.unwrap_or(0.0)])
+            };
             recorders.peaks = recorders.peaks.under_gravity(self.floors.all().iter().map(of));
         }
         recorders
@@ -360,6 +366,20 @@ impl Simulation {
     /// Describes in the words of the scene why a run ended early.
     pub(super) fn ended(&self, source: RunError) -> Error {
         let concerned = match source {
+            RunError::Fallen { structure, time } => {
+                let name = &self.floors.all()[structure].name;
+                let said = format!(
+                    "{name}: its storey collapses under gravity: at t = {time:.4} s its drift passes {} of its height, and no motion after that means \
+                     anything",
+                    percent(FALLEN)
+                );
+                let help = format!("duration_s = {:.2} gives what comes before", (100.0 * time).floor() / 100.0);
+                let refused = Refused::that(said).help(help);
+                return Error::Run {
+                    refused: self.said(refused, 0..0),
+                    source,
+                };
+            }
             RunError::Setting { setting, found, allowed } => {
                 let place = format!("method.{}.{setting}", self.scene.method.name());
                 return Error::in_scene(&self.scene.name, out_of_range(place, found, allowed));

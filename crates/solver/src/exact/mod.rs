@@ -277,6 +277,9 @@ impl<R: Recorder> ExactRun<'_, R> {
             }
             self.agenda.work.events += 1;
             self.land_all(time)?;
+            if let Some((structure, time)) = self.recorder.fallen() {
+                return Err(RunError::Fallen { structure, time });
+            }
             now = self.fly(time);
             self.go_on(now)?;
         }

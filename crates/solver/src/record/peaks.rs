@@ -35,6 +35,8 @@ pub struct StructurePeaks {
     gravity: f64,
     /// Restoring force plus P/h times the drift \[N\].
     with_gravity: Peak,
+    /// Drift at which the storey under gravity counts as fallen \[m\].
+    falls_at: f64,
 }
 
 impl StructurePeaks {
@@ -144,6 +146,8 @@ fn beyond(value: f64, ends: [f64; 2]) -> bool {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Peaks {
     structures: Vec<StructurePeaks>,
+    /// The first floor whose storey has fallen, and the instant \[s\].
+    fallen: Option<(usize, f64)>,
 }
 
 impl Peaks {
@@ -151,14 +155,16 @@ impl Peaks {
     pub fn new(n_structures: usize) -> Self {
         Self {
             structures: vec![StructurePeaks::default(); n_structures],
+            fallen: None,
         }
     }
 
-    /// Also records the force of columns under gravity; `stiffnesses` are P/h of every node \[N/m\], ≥ 0.
+    /// Also records the force of columns under gravity, and ends the run when a storey has fallen. Every node has P/h \[N/m\], ≥ 0, and the
+    /// drift at which its storey counts as fallen \[m\], which matters only if P/h > 0.
     #[must_use]
-    pub fn under_gravity(mut self, stiffnesses: impl IntoIterator<Item = f64>) -> Self {
-        for (peaks, gravity) in self.structures.iter_mut().zip(stiffnesses) {
-            peaks.gravity = gravity;
+    pub fn under_gravity(mut self, storeys: impl IntoIterator<Item = [f64; 2]>) -> Self {
+        for (peaks, [gravity, falls_at]) in self.structures.iter_mut().zip(storeys) {
+            (peaks.gravity, peaks.falls_at) = (gravity, falls_at);
         }
         self
     }
@@ -170,6 +176,10 @@ impl Peaks {
 }
 
 impl Recorder for Peaks {
+    fn fallen(&self) -> Option<(usize, f64)> {
+        self.fallen
+    }
+
     #[inline]
     fn span(&mut self, span: &Span<'_>) {
         let peaks = &mut self.structures[span.structure];
@@ -191,6 +201,9 @@ impl Recorder for Peaks {
                 }
             }
             Path::Cubic(_) | Path::Flight(_) => {}
+        }
+        if peaks.gravity > 0.0 && last.abs() > peaks.falls_at && self.fallen.is_none() {
+            self.fallen = Some((span.structure, span.end_time));
         }
         peaks.take(&span.end, last, span.end_time);
         if span.below.is_some() {

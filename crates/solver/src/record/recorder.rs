@@ -135,6 +135,11 @@ pub trait Recorder {
 
     /// Receives a touch, before its consequences: an impact at this instant, or spans with a pounding force that start here.
     fn touch(&mut self, _: &Touch) {}
+
+    /// The storey that has fallen, by its floor, and the instant \[s\]: a run ends there. `None` as long as all stand.
+    fn fallen(&self) -> Option<(usize, f64)> {
+        None
+    }
 }
 
 impl Span<'_> {
@@ -183,6 +188,11 @@ impl Recorder for () {
 }
 
 impl<R: Recorder> Recorder for &mut R {
+    #[inline]
+    fn fallen(&self) -> Option<(usize, f64)> {
+        (**self).fallen()
+    }
+
     #[inline]
     fn reads_weighed(&self) -> bool {
         (**self).reads_weighed()

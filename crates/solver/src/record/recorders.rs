@@ -61,6 +61,11 @@ impl Recorder for Recorders<'_, '_> {
         self.ledger.is_some()
     }
 
+    #[inline]
+    fn fallen(&self) -> Option<(usize, f64)> {
+        self.peaks.fallen()
+    }
+
     fn span(&mut self, span: &Span<'_>) {
         self.all().span(span);
     }
