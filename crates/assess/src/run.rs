@@ -193,7 +193,10 @@ fn with_those_alone(mut beside: Vec<Excess>, alone: &[Excess]) -> Vec<Excess> {
 /// Returns the response that is farthest beyond belief: a building with it would hardly stand. `None` if all are believed.
 pub fn beyond_belief<'e>(excesses: impl IntoIterator<Item = &'e Excess>) -> Option<&'e Excess> {
     let share = |one: &Excess| {
-        // A capacity of the scene drops no event: it would make widths narrower for weaker buildings.
+        // A capacity of the scene drops no event: it would make widths narrower for weaker buildings. Isolators are made to move far.
+        if one.kind == ExcessKind::Displacement && one.capacity.is_some() {
+            return 0.0;
+        }
         let mut limits = MOST_BELIEVED.iter();
         let limit = limits.find(|(kind, _)| *kind == one.kind);
         limit.map_or(0.0, |(_, most)| one.found / most)

@@ -13,7 +13,7 @@ pub struct Separation {
     pub left: usize,
     /// Level of the floors that need the largest width, counted from 1 for the lowest, like `levels` of contacts.
     pub at_level: usize,
-    /// Whether the floor at that level faces a column of the neighbour, which is straight between its ends.
+    /// Whether the floor at that level faces a column of the neighbour.
     pub at_column: bool,
     /// Width below which the neighbours touch \[m\]: the largest closing of the gap at that level while every structure stands alone.
     pub required: f64,

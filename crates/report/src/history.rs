@@ -65,6 +65,7 @@ impl<'a> Motion<'a> {
             }
             HistoryQuantity::ShearForce => self.shear_forces(place).collect(),
             HistoryQuantity::Drift => self.drifts(place).collect(),
+            HistoryQuantity::PoundingForce if self.floors().shares_floors(place) => rows.map(|_| f64::NAN).collect(),
             HistoryQuantity::PoundingForce => rows.map(|row| self.force(place, row)).collect(),
             HistoryQuantity::Opening => rows.map(|row| self.opening(place, row)).collect(),
         }
@@ -111,13 +112,10 @@ impl<'a> Motion<'a> {
         self.prepared.pairs()[pair].law.is_compliant() && !self.floors().shares_floors(pair)
     }
 
-    /// Pounding force of a compliant pair \[N\], ≥ 0; NaN if no floor tells it.
+    /// Pounding force of a compliant pair whose floors [tell it](Self::tells_force) \[N\], ≥ 0.
     pub(super) fn force(&self, pair: usize, row: usize) -> f64 {
         // A wall does not move, whatever pushes it: its neighbour tells the force.
         let facing = self.floors().facing()[pair];
-        if self.floors().shares_floors(pair) {
-            return f64::NAN;
-        }
         if self.floors().all()[facing.left].is_wall() {
             self.states(facing.right)[row].force_from_left
         } else {

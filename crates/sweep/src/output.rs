@@ -52,13 +52,15 @@ impl RowShape {
         self.floors.len()
     }
 
-    /// Whether structures have equal numbers of floors, and neighbours equal numbers of pairs.
+    /// Whether structures have equal numbers of floors, and neighbours equal numbers of pairs. Slabs that hit columns hit the same ones.
     pub(super) fn fits(&self, floors: &Floors) -> bool {
         let structures = self.floors.iter().map(|floor| floor.structure);
         let of_pairs = self.pairs.iter().map(|pair| self.neighbours(pair));
         let other = |floor: usize| floors.all()[floor].structure;
         let of_others = floors.facing().iter().map(|pair| [other(pair.left), other(pair.right)]);
-        structures.eq(floors.all().iter().map(|floor| floor.structure)) && of_pairs.eq(of_others)
+        let columns = |pairs: &[FloorPair]| pairs.iter().copied().filter(|pair| pair.column.is_some()).collect::<Vec<_>>();
+        let same_columns = columns(&self.pairs) == columns(floors.facing());
+        structures.eq(floors.all().iter().map(|floor| floor.structure)) && of_pairs.eq(of_others) && same_columns
     }
 
     /// Left and right structure of a pair.

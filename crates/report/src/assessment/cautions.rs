@@ -11,7 +11,7 @@ const ENOUGH: usize = 11;
 
 impl AssessmentReport {
     /// Records that belong to other earthquakes by the factors that they need, once for both directions.
-    fn far(&self) -> Vec<&AssessedMotion> {
+    pub(super) fn far(&self) -> Vec<&AssessedMotion> {
         let is_usual = |scale| (Implausible::USUAL_FACTORS[0]..=Implausible::USUAL_FACTORS[1]).contains(&scale);
         let first = self.motions.first().and_then(|one| one.neighbour);
         let once = |one: &&AssessedMotion| !one.reversed && one.neighbour == first;
@@ -104,9 +104,10 @@ impl AssessmentReport {
             format!("the mean spectrum has {per_cent:.0} % of the target")
         }));
         let far = self.far();
-        if let Some(most) = far.iter().max_by(|one, other| one.run.scale.total_cmp(&other.run.scale)) {
+        let how_far = |one: &&AssessedMotion| libm::log(one.run.scale.abs()).abs();
+        if let Some(most) = far.iter().copied().max_by(|one, other| how_far(one).total_cmp(&how_far(other))) {
             said.push(format!(
-                "{} of {} motions are scaled too far, up to {} times ({})",
+                "{} of {} motions scaled too far, the farthest by {} ({})",
                 far.len(),
                 self.records(),
                 short(most.run.scale),

@@ -49,8 +49,13 @@ impl AssessmentReport {
 
     /// Whether the drift of a storey stays small, however much it grows.
     fn is_small(&self, floor: usize, one: &FloorAssessment) -> bool {
-        let of_limit = self.of_limit(floor, one.largest_drift);
+        let of_limit = self.of_limit(floor, Self::at_most(one));
         of_limit.is_some_and(|[drift, limit]| drift <= SMALL * limit)
+    }
+
+    /// Largest drift of a storey when they touch, over the stiffness of contact \[m\].
+    fn at_most(one: &FloorAssessment) -> f64 {
+        one.largest_drift.max(one.largest_drift_range[1])
     }
 
     /// Storeys whose drift their columns have to bear: an isolation layer is made to drift.
@@ -64,33 +69,30 @@ impl AssessmentReport {
     fn largest_drift(&self) -> Option<String> {
         let floors = self.columns();
         let share = |(floor, one): &(usize, &FloorAssessment)| {
-            let of_limit = self.of_limit(*floor, one.largest_drift);
-            of_limit.map_or((0.0, one.largest_drift), |[drift, limit]| (drift / limit, one.largest_drift))
+            let most = Self::at_most(one);
+            let of_limit = self.of_limit(*floor, most);
+            of_limit.map_or((0.0, most), |[drift, limit]| (drift / limit, most))
         };
         let (floor, one) = floors.into_iter().max_by(|one, other| {
             let (one, other) = (share(one), share(other));
             one.0.total_cmp(&other.0).then(one.1.total_cmp(&other.1))
         })?;
         let name = self.storey_name(floor);
-        let Some([drift, limit]) = self.of_limit(floor, one.largest_drift) else {
-            let [drift, alone] = [one.largest_drift, one.largest_drift_alone].map(|drift| two_digits(1e3 * drift));
+        let Some([drift, limit]) = self.of_limit(floor, Self::at_most(one)) else {
+            let [drift, alone] = [Self::at_most(one), one.largest_drift_alone].map(|drift| two_digits(1e3 * drift));
             return Some(format!(
                 "Largest drift when they touch: {drift} mm ({name}), alone {alone} mm; without the height of the storey there is no limit for it."
             ));
         };
-        let [least, most] = one.largest_drift_range;
         let of_height = |drift: f64| self.of_limit(floor, drift).map(|[drift, _]| percent(drift));
-        let (least, most, alone) = (of_height(least)?, of_height(most)?, of_height(one.largest_drift_alone)?);
+        let [least, most] = [of_height(one.largest_drift_range[0])?, percent(drift)];
+        let alone = of_height(one.largest_drift_alone)?;
         let range = if least == most {
             String::new()
         } else {
             format!("; from {least} on, by the stiffness of contact")
         };
-        let within = if drift.max(one.largest_drift_range[1] / one.largest_drift * drift) > limit {
-            "above"
-        } else {
-            "within"
-        };
+        let within = if drift > limit { "above" } else { "within" };
         let has_capacity = self.floors.all()[floor]
             .made_of
             .is_some_and(|one| one.capacities.drift_capacity_ratio.is_some());

@@ -48,9 +48,9 @@ impl AssessmentReport {
         width > ALIKE && gap.own.is_none_or(|own| own < width)
     }
 
-    /// The width that the named code asks for \[m\]; `None` if none is named, or if it has no width here.
+    /// The width that the named code asks for \[m\]; `None` if none is named, or if it has no width here: a code takes all events.
     fn by_named_code(&self, gap: &GapAssessment) -> Option<f64> {
-        let code = self.code?;
+        let code = self.code.filter(|_| self.assessment.disbelieved_alone == 0)?;
         let rule = gap.rules.iter().find(|one| one.rule == code)?;
         Some(asked(rule, self.sample()).0)
     }
@@ -73,7 +73,8 @@ impl AssessmentReport {
 
     /// The widths that the named code asks for.
     fn by_code(&self) -> Vec<String> {
-        let gaps = self.code.into_iter().flat_map(|code| {
+        let code = self.code.filter(|_| self.assessment.believed_alone() > 0);
+        let gaps = code.into_iter().flat_map(|code| {
             let ruled = self.ruled_gaps().into_iter();
             ruled.map(move |gap| gap.by_code(&self.scene, code))
         });
@@ -97,8 +98,12 @@ impl AssessmentReport {
     fn answer_of(&self, gap: &GapAssessment) -> String {
         let answer = self.answer_of_floors(gap);
         let danger = gap.beside_columns.zip(self.floors.says_columns(gap.left)).map(|(width, columns)| {
-            let keeps = format!("{} mm keep floors from columns under these motions.", millimetres_up(width));
-            format!("{answer} {columns} {keeps}")
+            let keeps = if width < gap.required.largest() {
+                format!(" {} mm keep floors from columns under these motions.", millimetres_up(width))
+            } else {
+                " The width keeps them apart, too.".into()
+            };
+            format!("{answer} {columns}{keeps}")
         });
         danger.unwrap_or(answer)
     }
@@ -261,8 +266,8 @@ impl AssessmentReport {
             Some(code) => format!("the largest needed, and what {code} asks for, rounded up"),
             None => "the largest needed, rounded up".into(),
         };
-        // The events that count are no sample if others were left out because a building would not stand.
-        let chance = if self.assessment.disbelieved_alone > 0 {
+        // The events that count are no sample if others were left out because a building would not stand, or if most belong elsewhere.
+        let chance = if self.assessment.disbelieved_alone > 0 || 2 * self.far().len() > self.records() {
             String::new()
         } else {
             // The share that exceeds the largest of n is below 1 − 0.05^(1/n) with 95 %.
@@ -277,7 +282,14 @@ impl AssessmentReport {
                 n + 1
             )
         };
-        format!("Proposed{together}: {} ({why}).{chance}", widths.join(", "))
+        let is_moat = |gap: &&GapAssessment| [gap.left, gap.left + 1].into_iter().any(|one| self.floors.is_isolated(one));
+        let moat = if wanting.iter().any(is_moat) {
+            " Beside isolators that is their displacement under these motions: codes size a moat for their largest earthquake, with torsion, and \
+             the isolators have to bear it."
+        } else {
+            ""
+        };
+        format!("Proposed{together}: {} ({why}).{moat}{chance}", widths.join(", "))
     }
 
     /// How much wider a gap is than the widest needed, if that is less than the standard deviation of the logarithms of the widths. Then

@@ -190,7 +190,7 @@ impl BuildingFile {
             let alone = self
                 .storeys
                 .iter()
-                .position(|one| one.isolator_damping_n_s_per_m.is_some() && one.isolation_layer.is_none());
+                .position(|one| one.isolator_damping_n_s_per_m.is_some() && one.isolation_layer != Some(true));
             return alone.map_or(Ok(None), |index| {
                 let found = Refused::at(format!("storeys[{index}].isolator_damping_n_s_per_m")).found("it without an isolator");
                 Err(found.allowed_is("it beside isolator, or beside isolation_layer = true"))
@@ -293,7 +293,7 @@ impl StoreyFile {
             height_m: self.height_m,
             columns: isolators.map_or_else(|| words.columns(stiffness), |isolators| Ok(*isolators))?,
             capacities: Capacities {
-                isolation_layer: self.isolation_layer.or(isolators.map(|_| true)),
+                isolation_layer: isolators.map(|_| true).or(self.isolation_layer),
                 isolator_damping_n_s_per_m: self.isolator_damping_n_s_per_m.or(isolators.map(|_| 0.0)),
                 displacement_capacity_m: self.displacement_capacity_m,
                 drift_capacity_ratio: self.drift_capacity_ratio,

@@ -86,7 +86,7 @@ pub struct Scene {
     /// Limits on the work of a run.
     #[serde(default, skip_serializing_if = "RunBudget::is_usual")]
     pub budget: RunBudget,
-    /// Whether floors beside columns are accepted, without a model of their contact; [`Scene::seeking_gaps`] sets it.
+    /// Whether heights are asked for without contacts, too, since gaps need them; [`Scene::seeking_gaps`] sets it.
     #[serde(skip)]
     pub seeks_gaps: bool,
 }
@@ -211,8 +211,7 @@ impl Scene {
         })
     }
 
-    /// Returns the scene for questions about gaps: floors beside columns are not refused. No contact is modelled in a gap with such floors,
-    /// unless `levels` chooses others there.
+    /// Returns the scene for questions about gaps, which need the heights of floors without contacts, too.
     #[must_use]
     pub fn seeking_gaps(self) -> Self {
         Self { seeks_gaps: true, ..self }

@@ -31,8 +31,6 @@ pub struct Floors {
     facing: Vec<FloorPair>,
     /// Floors beside columns of their neighbours, gap by gap from the left.
     beside: Vec<ColumnBeside>,
-    /// Gaps whose floors can touch columns: their contacts name no levels.
-    hits_columns: Vec<bool>,
     /// Whether the scene says that storeys of one number are level.
     told_level: bool,
     /// Owners of the ground at every contact.
@@ -156,7 +154,6 @@ impl Floors {
             all: (0..levels.n_nodes()).map(|node| floor(scene, &levels, node)).collect(),
             facing: Vec::new(),
             beside: Vec::new(),
-            hits_columns: contacts.iter().map(|one| one.levels.is_none()).collect(),
             levels,
             told_level: scene.floors.is_some(),
             properties: contacts.iter().map(|one| one.property).collect(),
@@ -169,7 +166,7 @@ impl Floors {
         }
         for (contact, one) in contacts.iter().enumerate() {
             let facing = floors.facing_in(contact, one);
-            beside::check_heights(contact, one, facing.is_empty())?;
+            floors.check_heights(contact, one, &facing)?;
             floors.facing.extend(facing);
         }
         floors.facing.sort_by_key(|one: &FloorPair| one.left);
@@ -191,7 +188,7 @@ impl Floors {
         });
         let columns = self.beside.iter().enumerate();
         let columns = columns.filter(|(_, column)| column.gap == contact && !column.is_at_ground());
-        let columns = columns.filter(|(_, column)| self.hits_columns[contact] && beside::is_at_height(one, &self.all[column.floor]));
+        let columns = columns.filter(|(_, column)| one.levels.is_none() && beside::is_at_height(one, &self.all[column.floor]));
         let columns = columns.map(|(index, column)| {
             let [left, right] = self.sides(column).map(Point::floor);
             FloorPair {
@@ -214,13 +211,18 @@ impl Floors {
     }
 
     /// Takes other numbers for a row of structures of one storey and walls.
-    pub(crate) fn renumber(&mut self, scene: &Scene) {
+    ///
+    /// # Errors
+    /// [`Refused`] if a weight would bring a structure down.
+    pub(crate) fn renumber(&mut self, scene: &Scene) -> Result<(), Refused> {
+        gravity::check(scene)?;
         for floor in &mut self.all {
             if let Structure::Sdof(sdof) = &scene.structures[floor.structure] {
                 floor.elevation_m = sdof.height_m;
                 floor.made_of = Some(StoreyProperties::of(scene, sdof));
             }
         }
+        Ok(())
     }
 
     /// Every floor, in the order of the row.
@@ -340,7 +342,6 @@ impl Floors {
     pub(crate) fn apart(&self) -> Self {
         Self {
             facing: Vec::new(),
-            hits_columns: Vec::new(),
             ..self.clone()
         }
     }

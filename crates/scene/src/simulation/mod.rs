@@ -64,7 +64,7 @@ impl Simulation {
         scene.duration_s = Some(duration);
         scene.check_method().ok()?;
         check::free_limit(scene).ok()?;
-        self.floors.renumber(scene);
+        self.floors.renumber(scene).ok()?;
         model::renumber(&mut self.row, scene, &self.floors).ok()?;
         self.clock = scene.method.clock(duration);
         Some(())

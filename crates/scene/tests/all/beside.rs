@@ -215,3 +215,22 @@ contacts = [{{ gap_m = 0.02, law.kelvin_voigt = {{ impact_stiffness_n_per_m = 1e
         is_close(*one, *other, 1e-9);
     }
 }
+
+/// A height that meets nothing was silent beside one that meets a column.
+#[test]
+fn extreme_heights_at_which_nothing_touches() {
+    let text = r#"
+name = "two"
+record.generated.ricker = { amplitude_m_per_s2 = 5, frequency_hz = 1, time_step_s = 0.01 }
+structures = [
+  { building = { name = "a", period_s = 0.4, damping.ratio = 0.05, storeys = [{ mass_kg = 2e5, height_m = 3, repeat = 3 }] } },
+  { building = { name = "b", period_s = 0.7, damping.ratio = 0.05, storeys = [{ mass_kg = 2e5, height_m = 3.2, repeat = 4 }] } },
+]
+contacts = [{ gap_m = 0.02, law.stereomechanical.restitution = 0.5, heights_m = [6, 6.2] }]
+"#;
+    let refused = |text: &str| {
+        let scene = Scene::parse(text.as_bytes(), Path::new("scene.toml")).expect("a scene");
+        Simulation::new(&scene, "").expect_err("it is refused").to_string()
+    };
+    insta::assert_snapshot!([refused(text), refused(&text.replace("[6, 6.2]", "[]"))].join("\n"), @"");
+}

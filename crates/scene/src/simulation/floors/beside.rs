@@ -3,7 +3,7 @@
 use pounding_solver::Point;
 use pounding_text::{Refused, digits};
 
-use super::{EQUAL_HEIGHTS, Floor, Floors};
+use super::{EQUAL_HEIGHTS, Floor, FloorPair, Floors};
 use crate::{ColumnShape, Contact};
 
 /// A floor beside a column of its neighbour, or beside a slab of it at another height.
@@ -64,21 +64,34 @@ pub(super) fn is_at_height(contact: &Contact, floor: &Floor) -> bool {
     floor.elevation_m.map_or(floor.is_wall() || heights.is_none(), is_named)
 }
 
-/// Refuses heights at which nothing of either side can touch.
-pub(super) fn check_heights(contact: usize, one: &Contact, touches_nothing: bool) -> Result<(), Refused> {
-    let Some(heights) = one.heights_m.as_ref().filter(|_| touches_nothing) else {
-        return Ok(());
-    };
-    let heights: Vec<String> = heights.iter().map(|height| digits(*height)).collect();
-    let found = Refused::at(format!("contacts[{contact}].heights_m")).found(heights.join(", "));
-    let found = found.allowed_are("heights of slabs up to the lower roof, to a millimetre");
-    Err(found.help("leave out `heights_m` for all of them"))
-}
-
 impl Floors {
     /// Floors beside columns, of every gap from the left, up to the lower roof of two neighbours with given heights.
     pub fn beside_all_columns(&self) -> &[ColumnBeside] {
         &self.beside
+    }
+
+    /// Refuses a height at which nothing can touch: a slab that is meant would go unseen.
+    pub(super) fn check_heights(&self, contact: usize, one: &Contact, facing: &[FloorPair]) -> Result<(), Refused> {
+        let slabs = |pair: &FloorPair| match pair.column {
+            Some(column) => vec![self.beside[column].floor],
+            None => vec![pair.left, pair.right],
+        };
+        let slabs: Vec<f64> = facing
+            .iter()
+            .flat_map(slabs)
+            .filter_map(|floor| self.all[floor].elevation_m)
+            .collect();
+        let meets = |height: &f64| slabs.iter().any(|slab| (slab - height).abs() <= EQUAL_HEIGHTS);
+        let heights = one.heights_m.iter().flatten().enumerate();
+        let none = heights.clone().find(|(_, height)| !meets(height));
+        let (index, found) = match (none, &one.heights_m) {
+            (Some((index, height)), _) => (format!("[{index}]"), digits(*height)),
+            (None, Some(heights)) if heights.is_empty() => (String::new(), "none".into()),
+            (None, _) => return Ok(()),
+        };
+        let found = Refused::at(format!("contacts[{contact}].heights_m{index}")).found(found);
+        let found = found.allowed_are("heights of slabs up to the lower roof, to a millimetre");
+        Err(found.help("leave out `heights_m` for all of them"))
     }
 
     /// Whether the floor is on the left of the column.
