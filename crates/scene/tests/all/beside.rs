@@ -232,5 +232,8 @@ contacts = [{ gap_m = 0.02, law.stereomechanical.restitution = 0.5, heights_m = 
         let scene = Scene::parse(text.as_bytes(), Path::new("scene.toml")).expect("a scene");
         Simulation::new(&scene, "").expect_err("it is refused").to_string()
     };
-    insta::assert_snapshot!([refused(text), refused(&text.replace("[6, 6.2]", "[]"))].join("\n"), @"");
+    insta::assert_snapshot!([refused(text), refused(&text.replace("[6, 6.2]", "[]"))].join("\n"), @r#"
+    scene "two": contacts[0].heights_m[1]: found 6.2, allowed are heights of slabs up to the lower roof, to a millimetre; leave out `heights_m` for all of them
+    scene "two": contacts[0].heights_m: found none, allowed are heights of slabs up to the lower roof, to a millimetre; leave out `heights_m` for all of them
+    "#);
 }
