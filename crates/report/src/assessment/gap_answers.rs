@@ -101,7 +101,7 @@ impl AssessmentReport {
             let keeps = if width < gap.required.largest() {
                 format!(" {} mm keep floors from columns under these motions.", millimetres_up(width))
             } else {
-                " The width keeps them apart, too.".into()
+                " So wide a gap keeps them apart, too.".into()
             };
             format!("{answer} {columns}{keeps}")
         });
