@@ -180,6 +180,24 @@ impl RunOfCase<'_> {
     pub fn case(&self) -> Case {
         [self.event, self.neighbour]
     }
+
+    fn is_doubted_alone(&self) -> bool {
+        self.run.disbelieved_alone.is_some()
+    }
+
+    fn is_doubted(&self) -> bool {
+        self.is_doubted_alone() || self.run.disbelieved_beside.is_some()
+    }
+
+    /// The runs that widths come from: those of the cases that are believed while the buildings stand alone, or all runs if no case is.
+    pub fn believed_alone(runs: &[Self]) -> Vec<Self> {
+        believed(runs, Self::is_doubted_alone).0
+    }
+
+    /// The runs that effects of touching come from: those of the cases that are believed, or all runs if no case is.
+    pub fn believed(runs: &[Self]) -> Vec<Self> {
+        believed(runs, Self::is_doubted).0
+    }
 }
 
 /// Number of distinct items.
@@ -197,9 +215,8 @@ impl Assessment {
         let Some(RunOfCase { run: first, .. }) = runs.first() else {
             return Ok(None);
         };
-        let alone = |run: &AssessedRun| run.disbelieved_alone.is_some();
-        let (believed_alone, disbelieved_alone) = believed(runs, alone);
-        let (believed, disbelieved) = believed(runs, |run| alone(run) || run.disbelieved_beside.is_some());
+        let (believed_alone, disbelieved_alone) = believed(runs, RunOfCase::is_doubted_alone);
+        let (believed, disbelieved) = believed(runs, RunOfCase::is_doubted);
         let row = AssessedRow {
             scene,
             floors: &floors,
@@ -227,8 +244,8 @@ impl Assessment {
 }
 
 /// Returns the runs of all cases that are believed, or all runs if no case is, and the number of cases that are not.
-fn believed<'r>(runs: &[RunOfCase<'r>], is_doubted: impl Fn(&AssessedRun) -> bool) -> (Vec<RunOfCase<'r>>, usize) {
-    let doubted = runs.iter().filter(|one| is_doubted(one.run));
+fn believed<'r>(runs: &[RunOfCase<'r>], is_doubted: impl Fn(&RunOfCase<'r>) -> bool) -> (Vec<RunOfCase<'r>>, usize) {
+    let doubted = runs.iter().filter(|one| is_doubted(one));
     let doubted: BTreeSet<Case> = doubted.map(RunOfCase::case).collect();
     let others = runs.iter().filter(|one| !doubted.contains(&one.case()));
     let others: Vec<RunOfCase<'r>> = others.copied().collect();

@@ -24,8 +24,11 @@ pub struct AssessedRun {
     pub floors: Vec<AssessedFloor>,
     /// Every pair in the order of the row.
     pub pairs: Vec<AssessedPair>,
-    /// Responses beside the neighbours that exceed the model or the limits of codes.
+    /// Responses beside the neighbours that exceed the model or the limits of codes. Drifts and forces of columns are the largest over the
+    /// contact stiffness.
     pub excesses: Vec<Excess>,
+    /// Drifts and forces of the columns of buildings that stand alone, as far as they exceed their limits.
+    pub excesses_alone: Vec<Excess>,
     /// The response of the buildings alone that is farthest beyond belief; `None` if they are believed.
     pub disbelieved_alone: Option<Excess>,
     /// The response beside the neighbours that is farthest beyond belief; `None` if it is believed.
@@ -109,9 +112,8 @@ impl AssessedRun {
             drift_rates: true,
             ..Extras::default()
         })?;
-        let excesses = exact.excesses(&beside);
+        let mut excesses = exact.excesses(&beside);
         let disbelieved_beside = beyond_belief(&excesses).cloned();
-        let excesses = with_those_alone(excesses, &alone.excesses);
         let mut pushes = beside.collisions.all().iter();
         let mut variants = Vec::new();
         if pushes.any(|one| one.peak_force.is_some()) {
@@ -119,6 +121,9 @@ impl AssessedRun {
             let others: Vec<f64> = others.into_iter().flatten().collect();
             // Both at once, so that the last motion of a folder does not leave processors idle.
             variants = parallel::try_each(&others, |factor| stiffened(&exact, *factor)?.run(None))?;
+        }
+        for one in &variants {
+            excesses.extend(exact.excesses(one).into_iter().filter(|one| one.kind.strains()));
         }
         variants.push(beside);
         let pairs = 0..simulation.pairs().len();
@@ -138,7 +143,8 @@ impl AssessedRun {
             pairs: pairs.map(|pair| assessed_pair(&exact, &variants, pair)).collect(),
             disbelieved_alone: beyond_belief(&alone.excesses).cloned(),
             disbelieved_beside,
-            excesses,
+            excesses: Excess::worst(excesses),
+            excesses_alone: those_alone(&alone.excesses),
             unusual: simulation.doubts(),
         })
     }
@@ -172,22 +178,14 @@ const MOST_BELIEVED: [(ExcessKind, f64); 4] = [
     (ExcessKind::Stability, 1.0),
 ];
 
-/// Adds drifts and forces of the buildings alone that are worse than any beside the neighbours: widths come from these runs, and a wider gap
-/// leaves the buildings to them.
-fn with_those_alone(mut beside: Vec<Excess>, alone: &[Excess]) -> Vec<Excess> {
-    for one in alone.iter().filter(|one| one.kind.strains()) {
-        let share = one.share();
-        let mut same = beside.iter().filter(|other| other.kind == one.kind);
-        if same.all(|other| other.share() < share) {
-            beside.retain(|other| other.kind != one.kind);
-            beside.push(Excess {
-                name: format!("{} alone", one.name),
-                ..one.clone()
-            });
-        }
-    }
-    beside.sort_by_key(|one| one.kind);
-    beside
+/// Drifts and forces of the buildings alone: widths come from these runs, and a wider gap leaves the buildings to them.
+fn those_alone(excesses: &[Excess]) -> Vec<Excess> {
+    let strains = excesses.iter().filter(|one| one.kind.strains());
+    let named = strains.map(|one| Excess {
+        name: format!("{} alone", one.name),
+        ..one.clone()
+    });
+    named.collect()
 }
 
 /// Returns the response that is farthest beyond belief: a building with it would hardly stand. `None` if all are believed.

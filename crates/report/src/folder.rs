@@ -104,7 +104,7 @@ impl<'a, T: UnderMotion> OfFolder<'a, T> {
 
     /// Records that are missing, the worst response of each kind beyond the model or codes, and the other warnings.
     pub fn warnings(&self) -> Vec<String> {
-        let excesses = Excess::gathered(self.found().map(|(_, found)| found.excesses()));
+        let excesses = Excess::gathered(self.found().map(|(_, found)| found.excesses()), "run");
         let missing = self.suite.says_missing(MotionLine::failed(self.lines).len()).into_iter();
         let said = missing.chain(excesses.iter().map(ToString::to_string));
         said.chain(T::warnings(self.scene)).collect()

@@ -59,7 +59,7 @@ pub use judge::certified::{CertificateFact, CertificateValue, DeliveredBy, Deliv
 pub use judge::free_collision::{DeliveredRestitution, FreeCollision};
 pub use judge::implausible::Implausible;
 pub use judge::limits::{ContactLimit, FreeLimit, MethodLimits};
-pub use judge::response::{Excess, ExcessKind};
+pub use judge::response::{Excess, ExcessKind, Often};
 pub use judge::review::{Errors, Review};
 pub use judge::warning::{Warning, WarningPlace};
 pub use pounding_text::Refused;

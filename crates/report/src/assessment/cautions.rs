@@ -1,10 +1,12 @@
 //! What harms the answer of an assessment: in short beside it, and as warnings.
 
-use pounding_assess::{AssessedRun, Assessment, DesignSpectrum, Distribution, Scaling, TargetFit, beyond_belief};
+use std::collections::{BTreeMap, BTreeSet};
+
+use pounding_assess::{AssessedRun, Assessment, Case, DesignSpectrum, Distribution, RunOfCase, Scaling, TargetFit, beyond_belief};
 use pounding_scene::{Excess, Implausible};
 use pounding_text::{digits, short, two_decimals, two_digits};
 
-use super::{AssessedMotion, AssessmentReport};
+use super::{AssessedMotion, AssessmentReport, runs_of_cases};
 
 /// Least number of records whose mean a code takes: ASCE 7-16, 16.2.2.
 const ENOUGH: usize = 11;
@@ -129,11 +131,10 @@ impl AssessmentReport {
     /// What harms the answer, the worst first.
     pub fn warnings(&self) -> Vec<String> {
         let mut said: Vec<String> = self.excesses().iter().map(ToString::to_string).collect();
+        let counted = RunOfCase::believed(&runs_of_cases(&self.motions));
         said.extend(Excess::says_assumed(&self.floors, |floor| {
-            let drifts = self
-                .motions
-                .iter()
-                .map(|one| one.run.floors[floor].beside.drift.max(one.run.floors[floor].alone.drift));
+            let floors = counted.iter().map(|one| &one.run.floors[floor]);
+            let drifts = floors.map(|one| one.over_stiffness[1].drift.max(one.alone.drift));
             drifts.fold(0.0, f64::max)
         }));
         said.extend(self.misfit());
@@ -194,10 +195,21 @@ impl AssessmentReport {
         })
     }
 
-    /// Responses beyond the model or beyond codes, over all runs.
+    /// Responses beyond the model or beyond codes, event by event. Responses alone are those of the events that widths come from, responses
+    /// beside the neighbours those of the events that effects come from; slabs and columns that meet count in every event.
     pub(super) fn excesses(&self) -> Vec<Excess> {
-        let runs = self.motions.iter();
-        Excess::gathered(runs.map(|one| &one.run.excesses))
+        let runs = runs_of_cases(&self.motions);
+        let mut cases: BTreeMap<Case, Vec<Excess>> = runs.iter().map(|one| (one.case(), Vec::new())).collect();
+        let cases_of = |runs: &[RunOfCase<'_>]| runs.iter().map(RunOfCase::case).collect::<BTreeSet<Case>>();
+        let [alone, beside] = [RunOfCase::believed_alone(&runs), RunOfCase::believed(&runs)].map(|runs| cases_of(&runs));
+        for one in &runs {
+            let found = cases.entry(one.case()).or_default();
+            let counts = |excess: &&Excess| beside.contains(&one.case()) || excess.kind.is_of_contact();
+            found.extend(one.run.excesses.iter().filter(counts).cloned());
+            let of_alone = one.run.excesses_alone.iter().filter(|_| alone.contains(&one.case()));
+            found.extend(of_alone.cloned());
+        }
+        Excess::gathered(cases.values(), self.sample())
     }
 
     /// Whether something may touch that nobody looked at.

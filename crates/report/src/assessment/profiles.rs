@@ -68,8 +68,9 @@ struct Response {
 impl Response {
     fn curves(&self, report: &AssessmentReport, building: usize) -> Vec<Curve> {
         let floors = report.floors.of_structure(building);
-        // The runs that the tables take: those in which something touches the building, or all if nothing ever does.
-        let mut cases = runs_of_cases(&report.motions);
+        // The runs that the tables take: of those that are believed, the ones in which something touches the building, or all if nothing
+        // ever does.
+        let mut cases = RunOfCase::believed(&runs_of_cases(&report.motions));
         if cases.iter().any(|one| one.run.hits(&report.floors, building)) {
             cases.retain(|one| one.run.hits(&report.floors, building));
         }

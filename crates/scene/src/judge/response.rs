@@ -20,8 +20,19 @@ pub struct Excess {
     pub found: f64,
     /// Capacity that the scene gives in place of the general limit, in the unit of the kind.
     pub capacity: Option<f64>,
-    /// Number of runs with this kind, and number of all runs; `None` for a single run.
-    pub often: Option<[usize; 2]>,
+    /// How often responses of this kind occur; `None` for a single run.
+    pub often: Option<Often>,
+}
+
+/// How often responses of a kind occur.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Often {
+    /// Number of samples with such a response.
+    pub n: usize,
+    /// Number of samples.
+    pub of: usize,
+    /// Word for a sample, such as "run".
+    pub sample: &'static str,
 }
 
 /// Kinds of responses that are judged.
@@ -84,24 +95,25 @@ impl Excess {
     /// Largest damping ratio of the mass term of a building on isolators \[–\]. A convention: isolators have 10 to 30 % of their own.
     pub const MOST_MASS_DAMPING: f64 = 0.01;
 
-    /// Gathers responses over several runs, the most harmful kind first: the worst of every kind, and the number of runs with it.
-    pub fn gathered(runs: impl IntoIterator<Item: AsRef<[Self]>>) -> Vec<Self> {
+    /// Gathers responses over several samples, such as runs, the most harmful kind first: the worst of every kind, and the number of samples
+    /// with it. `sample` is the word for a sample.
+    pub fn gathered(samples: impl IntoIterator<Item: AsRef<[Self]>>, sample: &'static str) -> Vec<Self> {
         let mut all = Vec::new();
         let mut of = 0;
-        for run in runs {
-            all.extend_from_slice(run.as_ref());
+        for one in samples {
+            all.extend(Self::worst(one.as_ref().to_vec()));
             of += 1;
         }
         let mut worst = Self::worst(all.clone());
         for one in &mut worst {
-            let of_kind = all.iter().filter(|other| other.kind == one.kind);
-            one.often = Some([of_kind.count(), of]);
+            let n = all.iter().filter(|other| other.kind == one.kind).count();
+            one.often = Some(Often { n, of, sample });
         }
         worst
     }
 
     /// Returns the worst response of every kind, the most harmful kind first; of equal ones the first.
-    fn worst(mut all: Vec<Self>) -> Vec<Self> {
+    pub fn worst(mut all: Vec<Self>) -> Vec<Self> {
         all.sort_by(|one, other| {
             let by_kind = one.kind.cmp(&other.kind);
             by_kind.then(other.share().total_cmp(&one.share()))
@@ -140,7 +152,10 @@ impl Excess {
 
     /// Writes "in 4 of 4 runs"; empty for a single run.
     pub(super) fn often(&self) -> String {
-        self.often.map_or_else(String::new, |[n, of]| format!("in {n} of {of} runs"))
+        self.often.map_or_else(String::new, |Often { n, of, sample }| {
+            let s = if of == 1 { "" } else { "s" };
+            format!("in {n} of {of} {sample}{s}")
+        })
     }
 }
 
@@ -374,10 +389,15 @@ impl ExcessKind {
         matches!(self, Self::AtColumn | Self::BesideColumn | Self::AtFoot | Self::LeftOut)
     }
 
+    /// Whether it is about slabs and columns that meet, modelled or not.
+    pub fn is_of_contact(self) -> bool {
+        self.is_unwatched() || self == Self::ColumnHit
+    }
+
     /// Whether an answer about gaps depends on it. Stability, residual drift, base shear and dampers beside columns do not count: the first
     /// two are estimates beyond the model, the others change drifts little.
     pub fn is_caution(self) -> bool {
-        self.strains() || self.is_unwatched() || [Self::MassDamping, Self::ColumnHit].contains(&self)
+        self.strains() || self.is_of_contact() || self == Self::MassDamping
     }
 
     /// Describes a value of this kind in a few words.
