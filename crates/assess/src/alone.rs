@@ -16,6 +16,8 @@ pub struct Alone {
     other: Option<Vec<Separation>>,
     /// Responses that exceed the model or the limits of codes.
     pub(crate) excesses: Vec<Excess>,
+    /// The drift or force of every building that is farthest above a capacity of the scene.
+    pub(crate) over_capacity: Vec<Excess>,
     /// Whether the run was reversed.
     reversed: bool,
 }
@@ -42,6 +44,7 @@ impl Alone {
             own: separations(false),
             other: mirrors.then(|| separations(true)),
             excesses: apart.excesses(&run),
+            over_capacity: apart.over_capacity(&run),
             reversed: simulation.scene().record.reversed,
         })
     }

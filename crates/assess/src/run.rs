@@ -29,6 +29,8 @@ pub struct AssessedRun {
     pub excesses: Vec<Excess>,
     /// Drifts and forces of the columns of buildings that stand alone, as far as they exceed their limits.
     pub excesses_alone: Vec<Excess>,
+    /// The drift or force of every building that stands alone and exceeds a capacity of the scene: no width of a gap helps against it.
+    pub over_capacity_alone: Vec<Excess>,
     /// The response of the buildings alone that is farthest beyond belief; `None` if they are believed.
     pub disbelieved_alone: Option<Excess>,
     /// The response beside the neighbours that is farthest beyond belief; `None` if it is believed.
@@ -145,6 +147,7 @@ impl AssessedRun {
             disbelieved_beside,
             excesses: Excess::worst(excesses),
             excesses_alone: those_alone(&alone.excesses),
+            over_capacity_alone: alone.over_capacity.clone(),
             unusual: simulation.doubts(),
         })
     }

@@ -65,7 +65,7 @@ pub enum Manner {
     Verdict {
         /// Number of ordinary sentences before the bold one.
         before: usize,
-        /// Whether something touches.
+        /// Whether something touches, or a building fails without a touch.
         touch: bool,
     },
     /// Two columns: the text before `: ` and the text after it. A terminal shows two columns only if the label is empty.

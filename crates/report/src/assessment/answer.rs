@@ -19,7 +19,7 @@ impl AssessmentReport {
         let unusual = self.unusual().iter().map(ToString::to_string).collect();
         let verdict = Manner::Verdict {
             before: self.before().len(),
-            touch: !self.hit().is_empty(),
+            touch: !self.hit().is_empty() || !self.over_capacity().is_empty(),
         };
         let answer = Answer::new()
             .say_as(Where::Everywhere, Manner::Box(UNUSUAL), "Unusual", unusual)

@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use pounding_assess::{AssessedRun, Assessment, Case, DesignSpectrum, Distribution, RunOfCase, Scaling, TargetFit, beyond_belief};
-use pounding_scene::{Excess, Implausible};
+use pounding_scene::{Excess, Implausible, Often};
 use pounding_text::{digits, short, two_decimals, two_digits};
 
 use super::{AssessedMotion, AssessmentReport, runs_of_cases};
@@ -30,11 +30,50 @@ impl AssessmentReport {
         }))
     }
 
-    /// Sentences before the answer, whether or not the gap is enough: how records were raised, what is not believed and does not count, and
-    /// on what the answer rests and should not.
+    /// Sentences before the answer, whether or not the gap is enough: buildings that no gap helps, how records were raised, what is not
+    /// believed and does not count, and on what the answer rests and should not.
     pub fn before(&self) -> Vec<String> {
-        let disbelieved = self.disbelieved();
-        self.raised().into_iter().chain(disbelieved).chain(self.cautions()).collect()
+        let first = self.says_over_capacity().into_iter().chain(self.raised());
+        first.chain(self.disbelieved()).chain(self.cautions()).collect()
+    }
+
+    /// Every building that exceeds a capacity of the scene even alone, by the drift or force that is farthest above it, with the number of
+    /// events.
+    pub(super) fn over_capacity(&self) -> Vec<Excess> {
+        let runs = runs_of_cases(&self.motions);
+        let of_building = |structure: usize| {
+            let own = runs
+                .iter()
+                .flat_map(|one| one.run.over_capacity_alone.iter().map(|excess| (one.case(), excess)));
+            let own: Vec<_> = own.filter(|(_, one)| self.floors.all()[one.floor].structure == structure).collect();
+            let (_, worst) = own.iter().max_by(|one, other| one.1.share().total_cmp(&other.1.share()))?;
+            let cases: BTreeSet<Case> = own.iter().map(|(case, _)| *case).collect();
+            let often = Often {
+                n: cases.len(),
+                of: self.assessment.cases,
+                sample: self.sample(),
+            };
+            Some(Excess {
+                often: Some(often),
+                ..(*worst).clone()
+            })
+        };
+        (0..self.scene.structures.len()).filter_map(of_building).collect()
+    }
+
+    /// What no gap helps against, in a sentence.
+    fn says_over_capacity(&self) -> Option<String> {
+        let over = self.over_capacity();
+        let exceed = match over.len() {
+            0 => return None,
+            1 => "the building exceeds its capacity",
+            _ => "buildings exceed their capacity",
+        };
+        let over: Vec<String> = over.iter().map(Excess::brief).collect();
+        Some(format!(
+            "Whatever the gap, {exceed} even alone ({}). The widths below keep floors apart, and do no more.",
+            over.join("; ")
+        ))
     }
 
     /// How much stronger all records are than their own factors make them.
@@ -98,8 +137,14 @@ impl AssessmentReport {
 
     /// On what the answer rests and should not.
     fn cautions(&self) -> Option<String> {
+        // The first sentence says what exceeds its capacity even alone.
+        let over = self.over_capacity();
+        let is_said = |one: &Excess| {
+            over.iter()
+                .any(|other| (other.kind, other.floor) == (one.kind, one.floor) && other.found >= one.found)
+        };
         let beyond = self.excesses().into_iter();
-        let beyond = beyond.filter(|one| one.kind.is_caution());
+        let beyond = beyond.filter(|one| one.kind.is_caution() && !is_said(one));
         let mut said: Vec<String> = beyond.map(|one| one.brief()).collect();
         said.extend(self.too_weak().map(|(share, _)| {
             let per_cent = (100.0 * share).floor();

@@ -135,6 +135,10 @@ impl AssessmentReport {
                 millimetres_up(needed)
             );
             return match self.unfounded().or_else(|| self.says_not_counted()) {
+                None if !self.over_capacity().is_empty() => format!(
+                    "{width} mm keeps{floors} {left} and {right} apart: {apart}.{}",
+                    self.margin(own, gap)
+                ),
                 None => format!(
                     "{width} mm is enough{floors} between {left} and {right}: {apart}.{}",
                     self.margin(own, gap)
@@ -170,6 +174,11 @@ impl AssessmentReport {
 
     /// The width that is enough, in a sentence: "130 mm would be enough for all 11 events."
     fn would_do(&self, gap: &GapAssessment, enough: &str) -> String {
+        let enough = if self.over_capacity().is_empty() {
+            enough
+        } else {
+            "would keep floors apart"
+        };
         if let Some(why) = self.unfounded() {
             let needed = millimetres_up(gap.required.largest());
             return format!(
@@ -289,7 +298,12 @@ impl AssessmentReport {
         } else {
             ""
         };
-        format!("Proposed{together}: {} ({why}).{moat}{chance}", widths.join(", "))
+        let only = if self.over_capacity().is_empty() {
+            ""
+        } else {
+            " to keep floors apart, for no more"
+        };
+        format!("Proposed{only}{together}: {} ({why}).{moat}{chance}", widths.join(", "))
     }
 
     /// How much wider a gap is than the widest needed, if that is less than the standard deviation of the logarithms of the widths. Then

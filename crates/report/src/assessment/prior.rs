@@ -82,9 +82,14 @@ impl AssessmentReport {
                 format!("in all: {width} mm")
             }
         });
+        let (enough, is_enough) = if self.over_capacity().is_empty() {
+            ("Enough", "is enough")
+        } else {
+            ("Floors stay apart", "keeps floors apart")
+        };
         let mut said = vec![format!(
             "The neighbour of {beside} is not known. Drawn: {} with periods of {} s and {} times its mass, all as likely by their logarithms, \
-             each under every motion. Enough with a probability of {}.",
+             each under every motion. {enough} with a probability of {}.",
             neighbours.len(),
             range(unknown.period_s),
             range(unknown.mass_ratio),
@@ -101,7 +106,7 @@ impl AssessmentReport {
                     n => n.to_string(),
                 };
                 let own = millimetres(own);
-                format!("{own} mm is enough in every run beside {free} of them. ")
+                format!("{own} mm {is_enough} in every run beside {free} of them. ")
             });
             said.push(format!(
                 "{enough}Most is needed beside one with a period of {} s: {} mm.",

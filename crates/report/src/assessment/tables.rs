@@ -77,7 +77,14 @@ impl AssessmentReport {
             .column("beside_columns_m", |gap| Cell::exact(gap.beside_columns))
             .both(
                 "proposed_m",
-                ("Proposed", "mm"),
+                (
+                    if self.over_capacity().is_empty() {
+                        "Proposed"
+                    } else {
+                        "Keeps apart"
+                    },
+                    "mm",
+                ),
                 |gap| Cell::exact(self.proposal(gap)),
                 |gap| {
                     let proposed = self.proposal(gap).filter(|_| self.is_wanting(gap));

@@ -186,6 +186,18 @@ impl Simulation {
         worst
     }
 
+    /// Returns the drift or force of every structure that is farthest above a capacity that the scene gives, of those above one.
+    pub fn over_capacity(&self, result: &RunResult) -> Vec<Excess> {
+        let structures = 0..self.scene().structures.len();
+        let worst = structures.filter_map(|structure| {
+            let own = self.floors().of_structure(structure).iter();
+            let all = own.flat_map(|floor| self.judged(result, *floor).into_iter().map(|one| self.excess(*floor, one)));
+            let told = all.filter(|one| one.capacity.is_some() && one.share() > 1.0);
+            told.max_by(|one, other| one.share().total_cmp(&other.share()))
+        });
+        worst.collect()
+    }
+
     /// Columns that slabs hit, unless they bear the shear force.
     fn columns_hit(&self, result: &RunResult) -> Vec<Excess> {
         let floors = self.floors();
