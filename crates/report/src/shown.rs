@@ -17,6 +17,8 @@ pub mod tables {
         Floor::Ductility,
         Floor::TransferredMomentumNS,
     ];
+    /// Numbers of structures that belong to a storey, not to the floor above it.
+    pub const OF_STOREYS: &[Floor] = &[Floor::PeakShearForceN, Floor::Ductility];
     /// The motion of structures that is left at the end, and the shaking of objects on their floors.
     pub const MOTIONS: &[Floor] = &[
         Floor::ResidualDisplacementAtEndM,

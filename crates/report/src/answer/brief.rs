@@ -105,7 +105,7 @@ pub(super) fn apart(prepared: &Simulation, outcome: &RunResult) -> Vec<String> {
     }
 }
 
-/// The worst of every building, each with its floor. The drift of isolators is none of columns, and is left out beside that of storeys.
+/// The worst of every building, each with the number of its floor or storey. The drift of isolators is none of columns, and is left out beside that of storeys.
 pub(super) fn buildings(prepared: &Simulation, words: &InWords<'_>) -> Grid {
     let floors = prepared.floors();
     let worst = |structure: usize, quantity: FloorQuantity| {
@@ -136,7 +136,7 @@ pub(super) fn buildings(prepared: &Simulation, words: &InWords<'_>) -> Grid {
         (has_storeys || !is_drift) && moving.iter().any(|one| worst(*one, *quantity).is_some())
     });
     let known: Vec<FloorQuantity> = known.collect();
-    let table = Table::of(moving).shown("Largest (at floor)", |one| scene.structures[*one].name().to_owned());
+    let table = Table::of(moving).shown("Largest (floor or storey)", |one| scene.structures[*one].name().to_owned());
     let table = known.into_iter().fold(table, |table, quantity| {
         let about = quantity.about();
         table.shown_in(about.unit.shown, about.heading, move |one| Shown::from(worst(*one, quantity)))

@@ -1,9 +1,9 @@
 //! The numbers of a run, in the tables of its structures, storeys, pairs and collisions.
 
 use pounding_scene::{FloorQuantity, Quantity, RunResult, Simulation};
-use pounding_text::{Grid, Shown, Table, digits, instant, short};
+use pounding_text::{Grid, NONE, Shown, Table, digits, instant, short};
 
-use crate::shown::tables::{MOTIONS, PAIRS, STOREYS, STRUCTURES};
+use crate::shown::tables::{MOTIONS, OF_STOREYS, PAIRS, STOREYS, STRUCTURES};
 use crate::{InWords, collision_table};
 
 /// Most collisions that are shown; `impacts.csv` has all.
@@ -46,10 +46,21 @@ fn floors<'a>(prepared: &'a Simulation, heading: &'static str, is_shown: impl Fn
     Table::of(shown).shown(heading, move |floor| floors.all()[*floor].name.as_str())
 }
 
-/// Peaks of every floor and wall.
+/// Peaks of every floor and wall. Forces of columns and ductility stand here for structures of one storey alone: those of buildings belong
+/// to storeys.
 pub(super) fn structures(prepared: &Simulation, words: &InWords<'_>) -> Grid {
-    let places = floors(prepared, "Structure", |_| true);
-    numbers(words, places, STRUCTURES, |quantity, _| quantity)
+    let all = prepared.floors().all();
+    let has_single = all.iter().any(|one| one.storey.is_none() && !one.is_wall());
+    let shown = STRUCTURES.iter().copied().filter(|one| has_single || !OF_STOREYS.contains(one));
+    let shown: Vec<FloorQuantity> = shown.collect();
+    let mut grid = numbers(words, floors(prepared, "Structure", |_| true), &shown, |quantity, _| quantity);
+    for (row, floor) in grid.rows.iter_mut().zip(prepared.floors().by_structure()) {
+        let is_of_storey = |quantity: &FloorQuantity| all[floor].storey.is_some() && OF_STOREYS.contains(quantity);
+        for (cell, _) in row[1..].iter_mut().zip(&shown).filter(|(_, quantity)| is_of_storey(quantity)) {
+            *cell = NONE.into();
+        }
+    }
+    grid
 }
 
 /// The motion that is left at the end, and the shaking of objects on the floors.
@@ -64,7 +75,9 @@ pub(super) fn storeys(prepared: &Simulation, words: &InWords<'_>) -> Grid {
         let ratio = words.value(words.of_storey(FloorQuantity::DriftRatio, floor), floor);
         prepared.floors().all()[floor].storey.is_some() || ratio.is_some()
     };
-    let places = floors(prepared, "Storey", is_storey);
+    let floors = prepared.floors();
+    let shown = floors.by_structure().filter(|floor| is_storey(*floor));
+    let places = Table::of(shown).shown("Storey", move |floor| floors.storey_name(*floor));
     numbers(words, places, STOREYS, |quantity, floor| match quantity {
         Quantity::Floor(quantity) => words.of_storey(quantity, floor),
         Quantity::Pair(_) => quantity,

@@ -34,10 +34,7 @@ impl AssessmentReport {
 
     /// Name of the storey below a floor.
     pub(super) fn storey_name(&self, floor: usize) -> String {
-        let one = &self.floors.all()[floor];
-        let building = self.scene.structures[one.structure].name();
-        one.storey
-            .map_or_else(|| building.into(), |storey| format!("{building}, storey {storey}"))
+        self.floors.storey_name(floor)
     }
 
     /// A drift over the storey height and its limit \[–\]; `None` if the height is not known.

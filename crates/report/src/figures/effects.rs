@@ -25,8 +25,8 @@ pub(super) fn figure(effects: &Effects, prepared: &Simulation) -> Option<(Figure
         String::new()
     };
     let caption = format!(
-        "Peak drift, shear force and absolute acceleration of every storey beside its neighbours, as multiples of those of the \
-         same building alone, by the exact method. Lines reach from the least to the largest value when the record is made \
+        "Peak drift and shear force of every storey, and peak absolute acceleration of the floor above it, beside the neighbours, as \
+         multiples of those of the same building alone, by the exact method. Lines reach from the least to the largest value when the record is made \
          one per cent weaker, stronger, faster or slower.{left_out}"
     );
     Some((picture(effects, prepared, &floors), caption))
@@ -58,7 +58,7 @@ fn most(effects: &Effects, floor: usize) -> f64 {
 }
 
 fn picture(effects: &Effects, prepared: &Simulation, floors: &[usize]) -> Figure {
-    let name = |floor: &usize| writable(&prepared.floors().all()[*floor].name);
+    let name = |floor: &usize| writable(&prepared.floors().storey_name(*floor));
     let names: Vec<String> = floors.iter().map(name).collect();
     let all = prepared.floors().all();
     let panels = PANELS.iter().enumerate().map(|(response, title)| Panel {

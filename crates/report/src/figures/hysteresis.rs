@@ -1,7 +1,7 @@
 //! Shear force against displacement, for structures that yield.
 
 use super::thin::thinned;
-use super::{Seen, around, name, unit};
+use super::{Seen, around, fitting, unit};
 use pounding_plot::{Axis, Curve, CurveKind, Figure, Panel, Shade};
 
 /// More panels than this do not fit on a page.
@@ -108,7 +108,7 @@ fn panel(seen: &Seen<'_>, index: usize, range: Option<(f64, f64)>) -> Panel {
         "Displacement (mm)"
     };
     Panel {
-        title: name(floor),
+        title: fitting(&seen.prepared.floors().storey_name(index)),
         x: Some(Axis {
             range,
             ..Axis::auto(label)

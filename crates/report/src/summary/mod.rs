@@ -127,7 +127,7 @@ pub struct ReadingSummary {
 /// A wall has its name and its transferred momentum only.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 pub struct StructureSummary {
-    /// Its name; of a floor of a building that of the building and the number of the storey.
+    /// Its name; of a floor of a building that of the building and the number of the floor.
     pub name: String,
     /// Storey below the floor, counted from 1; absent for a structure of one storey and a wall.
     #[serde(default, skip_serializing_if = "Option::is_none")]

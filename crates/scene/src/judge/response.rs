@@ -14,7 +14,7 @@ pub struct Excess {
     pub kind: ExcessKind,
     /// Index of the floor in the row; the storey is the one below it.
     pub floor: usize,
-    /// Name of the floor, or of the levels that are left out.
+    /// Name of the storey, of a floor that may touch, or of the levels that are left out.
     pub name: String,
     /// Value, in the unit of the kind.
     pub found: f64,
@@ -237,7 +237,7 @@ impl Simulation {
         let name = if of_structure {
             self.scene().structures[one.structure].name().into()
         } else {
-            one.name.clone()
+            self.floors().storey_name(floor)
         };
         Excess {
             kind,

@@ -21,7 +21,7 @@ quantities! {
         absolute: Some("peak_displacement_time_s"),
         ..QuantityEntry::instant(|run, floor| Some(run.peaks(floor)?.displacement.time))
     };
-    PeakShearForceN("peak_shear_force_n", "Shear force of largest magnitude, of the columns alone: the force of the damper is not in it.") =
+    PeakShearForceN("peak_shear_force_n", "Shear force of largest magnitude, of the columns of the storey alone: the force of the damper is not in it.") =
         QuantityEntry::new(&Unit::NEWTON, "Peak shear", |run, floor| Some(run.peaks(floor)?.column_force().value))
             .kind(QuantityKind::Peak).measured(QuantityGroup::Force, "shear force");
     #[serde(skip_deserializing)]

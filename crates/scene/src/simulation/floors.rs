@@ -44,7 +44,8 @@ pub struct Floor {
     pub structure: usize,
     /// Storey below it, counted from 1; `None` for a structure of one storey and for a wall.
     pub storey: Option<usize>,
-    /// Name for tables: the structure and the storey, or the level of a wall that faces several floors.
+    /// Name for tables: the structure and the number of the floor, or the level of a wall that faces several floors. Drifts and forces of
+    /// columns belong to its storey ([`Floors::storey_name`]).
     pub name: String,
     /// Height above the ground \[m\], where it is known.
     pub elevation_m: Option<f64>,
@@ -266,6 +267,13 @@ impl Floors {
         } else {
             storey.unwrap_or(1)
         }
+    }
+
+    /// Name of the storey below a floor: the building and the number of the storey; of a structure of one storey and a wall its own.
+    pub fn storey_name(&self, floor: usize) -> String {
+        let one = &self.all[floor];
+        let building = &self.structures[one.structure];
+        one.storey.map_or_else(|| one.name.clone(), |storey| format!("{building}, storey {storey}"))
     }
 
     /// Floor below in the same building; `None` for a floor on the ground storey.

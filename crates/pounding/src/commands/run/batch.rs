@@ -225,14 +225,8 @@ fn effects<'a>(runs: &Runs<'_>, answer: Answer<'a>) -> Answer<'a> {
         1 => "Storey, the only event".into(),
         n => format!("Storey, largest of {n} events"),
     };
-    let storey = |floor: &usize| {
-        let one = &floors.all()[*floor];
-        let building = runs.scene.structures[one.structure].name();
-        one.storey
-            .map_or_else(|| building.to_owned(), |storey| format!("{building}, storey {storey}"))
-    };
     let table = Table::of(floors.by_structure().filter(|floor| !floors.all()[*floor].is_wall()))
-        .shown(heading, storey)
+        .shown(heading, |floor| floors.storey_name(*floor))
         .shown("Drift × alone", |floor| ratio(*floor, 0))
         .shown("Shear × alone", |floor| ratio(*floor, 1))
         .shown("Acceleration of its floor × alone", |floor| ratio(*floor, 2));
