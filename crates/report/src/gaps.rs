@@ -31,7 +31,7 @@ impl GapsUnderMotion {
     pub fn of(apart: &Simulation) -> Result<Self, Error> {
         let (separations, mut excesses) = Separation::judged(apart)?;
         let disbelieved = beyond_belief(&excesses).cloned();
-        excesses.retain(|one| one.kind.is_caution());
+        excesses.retain(Excess::is_caution);
         Ok(Self {
             separations,
             cautions: excesses,

@@ -144,7 +144,7 @@ impl AssessmentReport {
                 .any(|other| (other.kind, other.floor) == (one.kind, one.floor) && other.found >= one.found)
         };
         let beyond = self.excesses().into_iter();
-        let beyond = beyond.filter(|one| one.kind.is_caution() && !is_said(one));
+        let beyond = beyond.filter(|one| one.is_caution() && !is_said(one));
         let mut said: Vec<String> = beyond.map(|one| one.brief()).collect();
         said.extend(self.too_weak().map(|(share, _)| {
             let per_cent = (100.0 * share).floor();

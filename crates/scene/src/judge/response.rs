@@ -133,6 +133,11 @@ impl Excess {
         if limit > 0.0 { self.found / limit } else { self.found }
     }
 
+    /// Whether an answer about gaps depends on it: by its kind, or because no building bears a base shear of its whole weight.
+    pub fn is_caution(&self) -> bool {
+        self.kind.is_caution() || (self.kind == ExcessKind::BaseShear && self.found >= 1.0)
+    }
+
     /// Describes the response in a few words.
     pub fn brief(&self) -> String {
         let colon = if self.kind.is_unwatched() { "" } else { ":" };
@@ -406,9 +411,9 @@ impl ExcessKind {
         self.is_unwatched() || self == Self::ColumnHit
     }
 
-    /// Whether an answer about gaps depends on it. Stability, residual drift, base shear and dampers beside columns do not count: the first
-    /// two are estimates beyond the model, the others change drifts little.
-    pub fn is_caution(self) -> bool {
+    /// Whether an answer about gaps depends on every response of the kind. Stability, residual drift, base shear and dampers beside columns do
+    /// not count: the first two are estimates beyond the model, the others change drifts little.
+    fn is_caution(self) -> bool {
         self.strains() || self.is_of_contact() || self == Self::MassDamping
     }
 
