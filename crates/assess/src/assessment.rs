@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use pounding_scene::{Error, Floors, Scene};
 
-use crate::distribution::{Case, Distribution};
+use crate::distribution::{Case, Distribution, ratios_of_cases};
 use crate::peaks::FloorPeaks;
 use crate::rule::Rule;
 use crate::run::{AssessedFloor, AssessedPair, AssessedRun};
@@ -85,8 +85,8 @@ impl RequiredGap {
     }
 }
 
-/// Ratio of the largest to the least value over the contact stiffness \[–\]: the largest of every storey or pair that touches, for each
-/// case.
+/// Ratio of the largest to the least value over the contact stiffness \[–\], each the largest of the runs of a case: the largest of every storey
+/// or pair that touches, for each case.
 #[derive(Debug, Clone, PartialEq)]
 pub struct StiffnessEffect {
     /// Ratio of peak drifts.
@@ -130,8 +130,8 @@ impl RuleAssessment {
     }
 }
 
-/// Effect of touching on a floor and the storey below it: responses beside the neighbours over responses alone \[–\]. It covers every case
-/// in which something touches the building, or all cases if nothing ever does.
+/// Effect of touching on a floor and the storey below it: responses beside the neighbours over responses alone \[–\], each the largest of the
+/// runs of a case that touch. It covers every case in which something touches the building, or all cases if nothing ever does.
 #[derive(Debug, Clone, PartialEq)]
 pub struct FloorAssessment {
     /// Ratio of peak drifts of the storey.
@@ -328,20 +328,23 @@ impl<'r> AssessedRow<'r> {
 
     fn by_stiffness(&self) -> Option<StiffnessEffect> {
         let moving = (0..self.floors.all().len()).filter(|floor| !self.floors.all()[*floor].is_wall());
-        let floors: Vec<(Case, &AssessedFloor)> = moving.flat_map(|floor| self.hits(floor)).collect();
-        let ratio = |[least, largest]: [f64; 2]| largest / least;
+        let floors: Vec<Vec<(Case, &AssessedFloor)>> = moving.map(|floor| self.hits(floor)).collect();
         let of = |peak: fn(&FloorPeaks) -> f64| {
-            let ratios = floors
-                .iter()
-                .map(|(case, one)| (*case, ratio(one.over_stiffness.each_ref().map(peak))));
-            Distribution::of_cases(ratios.filter(|(_, ratio)| ratio.is_finite()))
+            let ratios = floors.iter().flat_map(|hits| {
+                let both = hits.iter().map(|(case, one)| (*case, one.over_stiffness.each_ref().map(peak)));
+                ratios_of_cases(both)
+            });
+            Distribution::of_cases(ratios)
         };
-        let pairs = self.runs.iter().flat_map(|one| one.run.pairs.iter().map(|pair| (one.case(), pair)));
-        let impulses = pairs.filter_map(|(case, pair)| Some((case, ratio(pair.peak_force.and(pair.largest_impulse)?))));
+        let pairs = 0..self.floors.facing().len();
+        let impulses = pairs.flat_map(|pair| {
+            let own = self.runs.iter().map(|one| (one.case(), &one.run.pairs[pair]));
+            ratios_of_cases(own.filter_map(|(case, one)| Some((case, one.peak_force.and(one.largest_impulse)?))))
+        });
         Some(StiffnessEffect {
             drift: of(|peaks| peaks.drift)?,
             acceleration: of(|peaks| peaks.acceleration)?,
-            impulse: Distribution::of_cases(impulses.filter(|(_, ratio)| ratio.is_finite()))?,
+            impulse: Distribution::of_cases(impulses)?,
         })
     }
 }
@@ -423,17 +426,9 @@ fn assessed_floor(all: &[(Case, &AssessedFloor)]) -> Option<FloorAssessment> {
     })
 }
 
-/// Largest ratio of each case: peaks beside the neighbours over peaks alone. Leaves out a floor that only its neighbours move.
+/// Peaks beside the neighbours over peaks alone, case by case. Leaves out a floor that only its neighbours move.
 fn amplification(all: impl Iterator<Item = (Case, [f64; 2])>) -> Option<Distribution> {
-    let ratio = |(case, [alone, beside]): (Case, [f64; 2])| {
-        // A floor that never moves responds beside its neighbours as it does alone.
-        if beside.to_bits() == alone.to_bits() {
-            (case, 1.0)
-        } else {
-            (case, beside / alone)
-        }
-    };
-    Distribution::of_cases(all.map(ratio).filter(|(_, ratio)| ratio.is_finite()))
+    Distribution::of_cases(ratios_of_cases(all))
 }
 
 /// Assesses a pair in runs in which it touches.

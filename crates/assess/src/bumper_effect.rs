@@ -4,7 +4,7 @@ use pounding_scene::Floors;
 
 use crate::assessment::FloorAssessment;
 use crate::bumper::{Bumper, BumperRun};
-use crate::distribution::{Case, Distribution};
+use crate::distribution::{Case, Distribution, ratios_of_cases};
 use crate::peaks::FloorPeaks;
 use crate::run::AssessedRun;
 
@@ -20,7 +20,7 @@ pub struct BumperCase<'r> {
 }
 
 /// Effect of bumpers. It covers the runs in which something touches, with or without bumpers: a bumper that fills half of a gap may be hit
-/// where the gap would stay open. Each distribution has the largest number of every case.
+/// where the gap would stay open. Each ratio is one of a case: the largest number of its runs with bumpers over the largest without.
 #[derive(Debug, Clone, PartialEq)]
 pub struct BumperEffect {
     /// The bumpers.
@@ -152,13 +152,8 @@ impl Compared<'_> {
     fn ratios(&self, floor: usize, peak: fn(&FloorPeaks) -> f64) -> Vec<(Case, f64)> {
         let building = self.floors.all()[floor].structure;
         let hit = self.runs.iter().filter(|one| self.hits(one, building));
-        let both = hit.map(|one| {
-            let [without, with] = [&one.without.floors[floor].beside, &one.with.floors[floor]].map(peak);
-            // Equal responses give the ratio 1, also if both are 0.
-            let equal = without.to_bits() == with.to_bits();
-            (one.case, if equal { 1.0 } else { with / without })
-        });
-        both.filter(|(_, ratio)| ratio.is_finite()).collect()
+        let both = hit.map(|one| (one.case, [&one.without.floors[floor].beside, &one.with.floors[floor]].map(peak)));
+        ratios_of_cases(both)
     }
 
     fn floor(&self, floor: usize) -> Option<FloorBumperEffect> {
@@ -172,12 +167,12 @@ impl Compared<'_> {
     fn forces(&self, contact: usize) -> Vec<(Case, f64)> {
         let facing = self.floors.facing().iter().enumerate();
         let own: Vec<usize> = facing.filter(|(_, one)| one.contact == contact).map(|(pair, _)| pair).collect();
-        let ratios = self.runs.iter().filter_map(|one| {
+        let both = self.runs.iter().filter_map(|one| {
             let with = own.iter().filter_map(|pair| one.with.pairs[*pair].peak_force);
             let without = own.iter().filter_map(|pair| one.without.pairs[*pair].own_force);
-            Some((one.case, with.fold(0.0, f64::max) / without.reduce(f64::max)?))
+            Some((one.case, [without.reduce(f64::max)?, with.fold(0.0, f64::max)]))
         });
-        ratios.filter(|(_, ratio)| ratio.is_finite()).collect()
+        ratios_of_cases(both)
     }
 
     fn is_too_thin(&self, with: &BumperRun) -> bool {

@@ -91,6 +91,21 @@ impl Distribution {
     }
 }
 
+/// Ratio of the largest second number of every case to its largest first number \[–\]: runs of a case are one sample, so that the peaks of its
+/// runs are compared, not run with run. Equal numbers have the ratio 1, also if both are 0; ratios that are not finite are left out.
+pub(crate) fn ratios_of_cases(numbers: impl IntoIterator<Item = (Case, [f64; 2])>) -> Vec<(Case, f64)> {
+    let mut largest: BTreeMap<Case, [f64; 2]> = BTreeMap::new();
+    for (case, both) in numbers {
+        let so_far = largest.entry(case).or_insert(both);
+        *so_far = [so_far[0].max(both[0]), so_far[1].max(both[1])];
+    }
+    let ratio = |(case, [first, second]): (Case, [f64; 2])| {
+        let equal = first.to_bits() == second.to_bits();
+        (case, if equal { 1.0 } else { second / first })
+    };
+    largest.into_iter().map(ratio).filter(|(_, ratio)| ratio.is_finite()).collect()
+}
+
 /// Deviation that a standard normal variable exceeds in 2.5 % of the cases on either side \[–\].
 const TWO_SIDED_95: f64 = 1.959_963_984_540_054;
 

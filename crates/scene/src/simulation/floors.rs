@@ -273,7 +273,8 @@ impl Floors {
     pub fn storey_name(&self, floor: usize) -> String {
         let one = &self.all[floor];
         let building = &self.structures[one.structure];
-        one.storey.map_or_else(|| one.name.clone(), |storey| format!("{building}, storey {storey}"))
+        one.storey
+            .map_or_else(|| one.name.clone(), |storey| format!("{building}, storey {storey}"))
     }
 
     /// Floor below in the same building; `None` for a floor on the ground storey.
