@@ -14,6 +14,9 @@ pub fn said_briefly(suite: &Suite, hint: &str) -> Vec<String> {
     said
 }
 
+/// What helps where one unit is declared for records of several.
+pub(crate) const CONVERT: &str = "take only records of that unit into the folder; `pounding motion convert` writes one in m/s²";
+
 /// Names the factor on a record in parentheses; empty for a record that is not scaled. Warns of one that belongs to other earthquakes.
 pub(crate) fn factor(scale: f64) -> String {
     let [least, most] = Implausible::USUAL_FACTORS;
@@ -106,7 +109,8 @@ impl<'a, T: UnderMotion> OfFolder<'a, T> {
     pub fn warnings(&self) -> Vec<String> {
         let excesses = Excess::gathered(self.found().map(|(_, found)| found.excesses()), "run");
         let missing = self.suite.says_missing(MotionLine::failed(self.lines).len()).into_iter();
-        let said = missing.chain(excesses.iter().map(ToString::to_string));
+        let units = self.suite.says_units_apart().map(|said| format!("{said}: {CONVERT}"));
+        let said = missing.chain(units).chain(excesses.iter().map(ToString::to_string));
         said.chain(T::warnings(self.scene)).collect()
     }
 

@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 
 use pounding_scene::Error;
-use pounding_text::{RefusalKind, short};
+use pounding_text::{RefusalKind, short, two_digits};
 use serde_json::{Value, json};
 
 use super::{Suite, SuiteMotion};
@@ -151,6 +151,10 @@ impl LeftOutReason {
 /// Largest number of names in a line.
 const MOST_NAMES: usize = 4;
 
+/// Ratio of the strongest to the weakest peak \[–\] above which one unit for both is in doubt. A convention: records that shake buildings have
+/// peaks of 0.02 g to 1 g, and g and cm/s² differ by 981.
+const MOST_APART: f64 = 50.0;
+
 impl Suite {
     /// Lists what is left out, a line for each reason. Reasons that may hide a record come first. With `details` a line has every name.
     pub fn said_of_left_out(&self, details: bool) -> Vec<String> {
@@ -241,8 +245,12 @@ impl Suite {
     /// [`Self::said_of_left_out`].
     pub fn remarks(&self, details: bool) -> Vec<String> {
         let declared = self.declared().into_iter().map(|(words, names)| {
-            let names = names.join(", ");
-            format!("{words} is declared, and was taken for what does not say it: {names}")
+            let n = names.len();
+            let what = match n {
+                1 => "the only record that does not say it".into(),
+                n => format!("{n} records that do not say it"),
+            };
+            format!("{words} is declared, and was taken for {what}: {}", names.join(", "))
         });
         let untold = self.untold();
         let untold = (!untold.is_empty()).then(|| {
@@ -274,17 +282,49 @@ impl Suite {
         said.collect()
     }
 
-    /// Returns each declaration with the files that it was used for.
+    /// Warns of a unit that is declared for records whose peaks lie too far apart for one unit, in a sentence without its end; `None` if there
+    /// is no such unit.
+    pub fn says_units_apart(&self) -> Option<String> {
+        let peak = |motion: &SuiteMotion| motion.origin.file.values().iter().fold(0.0, |peak: f64, one| peak.max(one.abs()));
+        let told = self.declared_motions().into_iter().filter_map(|(_, motions)| {
+            let unit = motions[0].taken.unit?.to_motion().name();
+            let by_peak = |one: &&&SuiteMotion, other: &&&SuiteMotion| peak(one).total_cmp(&peak(other));
+            let (weakest, strongest) = (motions.iter().min_by(by_peak)?, motions.iter().max_by(by_peak)?);
+            let times = peak(strongest) / peak(weakest);
+            (times > MOST_APART).then(|| {
+                format!(
+                    "the unit {unit} is declared for {} without one, whose peaks differ by a factor of {}, from {} ({}) to {} ({})",
+                    number(motions.len(), "record"),
+                    two_digits(times),
+                    weakest.name,
+                    short(peak(weakest)),
+                    strongest.name,
+                    short(peak(strongest))
+                )
+            })
+        });
+        let said: Vec<String> = told.collect();
+        (!said.is_empty()).then(|| said.join("; "))
+    }
+
+    /// Returns each declaration with the names of the motions that it was used for.
     fn declared(&self) -> Vec<(String, Vec<&str>)> {
-        let mut taken: Vec<(String, Vec<&str>)> = Vec::new();
+        let names = |motions: Vec<&'_ SuiteMotion>| motions.into_iter().map(|one| one.name.as_str()).collect();
+        let all = self.declared_motions().into_iter();
+        all.map(|(words, motions)| (words, names(motions))).collect()
+    }
+
+    /// Returns each declaration with the motions that it was used for.
+    fn declared_motions(&self) -> Vec<(String, Vec<&SuiteMotion>)> {
+        let mut taken: Vec<(String, Vec<&SuiteMotion>)> = Vec::new();
         for motion in &self.motions {
             let words = motion.taken.words();
             if words.is_empty() {
                 continue;
             }
             match taken.iter_mut().find(|(known, _)| *known == words) {
-                Some((_, names)) => names.push(&motion.name),
-                None => taken.push((words, vec![&motion.name])),
+                Some((_, motions)) => motions.push(motion),
+                None => taken.push((words, vec![motion])),
             }
         }
         taken

@@ -7,6 +7,7 @@ use pounding_scene::{Excess, Implausible, Often};
 use pounding_text::{digits, short, two_decimals, two_digits};
 
 use super::{AssessedMotion, AssessmentReport, runs_of_cases};
+use crate::folder::CONVERT;
 
 /// Least number of records whose mean a code takes: ASCE 7-16, 16.2.2.
 const ENOUGH: usize = 11;
@@ -146,6 +147,7 @@ impl AssessmentReport {
         let beyond = self.excesses().into_iter();
         let beyond = beyond.filter(|one| one.is_caution() && !is_said(one));
         let mut said: Vec<String> = beyond.map(|one| one.brief()).collect();
+        said.extend(self.folder.units_apart.clone());
         said.extend(self.too_weak().map(|(share, _)| {
             let per_cent = (100.0 * share).floor();
             format!("the mean spectrum has {per_cent:.0} % of the target")
@@ -182,6 +184,7 @@ impl AssessmentReport {
             let drifts = floors.map(|one| one.over_stiffness[1].drift.max(one.alone.drift));
             drifts.fold(0.0, f64::max)
         }));
+        said.extend(self.folder.units_apart.as_ref().map(|said| format!("{said}: {CONVERT}")));
         said.extend(self.misfit());
         let far: Vec<String> = self
             .far()

@@ -60,6 +60,8 @@ impl AssessedMotion {
 pub struct FolderOfMotions {
     /// How many records may be missing, in a sentence: they cannot be read, are refused, or failed.
     pub missing: Option<String>,
+    /// Units that are declared for records too far apart for one unit, in a sentence without its end.
+    pub units_apart: Option<String>,
     /// Files, motions and events, counted.
     pub counts: String,
     /// Files that shake nothing, for programs.

@@ -11,6 +11,7 @@ impl FolderOfMotions {
         let failed = MotionLine::failed(lines);
         Self {
             missing: suite.says_missing(failed.len()),
+            units_apart: suite.says_units_apart(),
             counts: suite.counts(),
             left_out: suite.left_out_json(),
             remarks: failed.into_iter().chain(suite.remarks(details)).collect(),
