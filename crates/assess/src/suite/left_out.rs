@@ -309,9 +309,9 @@ impl Suite {
 
     /// Returns each declaration with the names of the motions that it was used for.
     fn declared(&self) -> Vec<(String, Vec<&str>)> {
-        let names = |motions: Vec<&'_ SuiteMotion>| motions.into_iter().map(|one| one.name.as_str()).collect();
         let all = self.declared_motions().into_iter();
-        all.map(|(words, motions)| (words, names(motions))).collect()
+        all.map(|(words, motions)| (words, motions.into_iter().map(|one| one.name.as_str()).collect()))
+            .collect()
     }
 
     /// Returns each declaration with the motions that it was used for.

@@ -164,11 +164,29 @@ fn issue_every_file_that_takes_a_declaration_is_named() {
     assert_eq!(names(&suite), ["one.txt", "said.csv", "two.txt"]);
     let said = suite.remarks(false).join("\n");
     assert!(
-        said.contains("unit = \"g\", time_step_s = 0.02 is declared, and was taken for what does not say it: one.txt, two.txt"),
+        said.contains("unit = \"g\", time_step_s = 0.02 is declared, and was taken for 2 records that do not say it: one.txt, two.txt"),
         "{said}"
     );
     let mut of_unit = said.lines().filter(|line| line.starts_with("unit"));
     assert!(of_unit.all(|line| !line.contains("said.csv")), "{said}");
+}
+
+/// One unit held for all silent files of a folder, whatever their values.
+#[test]
+fn issue_one_unit_for_peaks_far_apart_is_warned_of() {
+    let folder = Folder::new().with("one.txt", list(7.0)).with("two.txt", list(5.0));
+    assert_eq!(folder.declared(&in_g()).says_units_apart(), None);
+    let in_gal: String = list(5.0)
+        .lines()
+        .map(|line| format!("{}\n", 981.0 * line.trim().parse::<f64>().expect("a number")))
+        .collect();
+    let folder = Folder::new().with("one.txt", list(7.0)).with("three.txt", in_gal);
+    let said = folder.declared(&in_g()).says_units_apart().expect("a warning");
+    assert!(
+        said.starts_with("the unit g is declared for 2 records without one, whose peaks differ by a factor of 9")
+            && said.contains("one.txt ("),
+        "{said}"
+    );
 }
 
 /// A velocity shook rows as an acceleration if a unit was declared for its folder.
@@ -194,7 +212,7 @@ fn issue_a_name_that_says_velocity_is_believed() {
     assert_eq!(suite.motions.len(), 4);
     let said = suite.remarks(false).join("\n");
     assert!(
-        said.contains("acceleration = true is declared, and was taken for what does not say it: a.vel"),
+        said.contains("acceleration = true is declared, and was taken for the only record that does not say it: a.vel"),
         "{said}"
     );
 }

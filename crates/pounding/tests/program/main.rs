@@ -3,6 +3,7 @@
 mod assess;
 mod assess_neighbours;
 mod assess_safe;
+mod assess_signed;
 mod batches;
 mod budgets;
 mod buildings;

@@ -186,7 +186,7 @@ pub enum Unit {
 
 impl Unit {
     /// Converts the unit for the reader of records.
-    pub(crate) fn to_motion(self) -> AccelerationUnit {
+    pub fn to_motion(self) -> AccelerationUnit {
         match self {
             Self::StandardGravity => AccelerationUnit::StandardGravity,
             Self::MetrePerSecondSquared => AccelerationUnit::MetrePerSecondSquared,
