@@ -53,7 +53,7 @@ fn table(prepared: &Simulation, effects: &Effects, full: bool) -> Grid {
         Shown::from(format!("{mark}{value}")).over(range)
     };
     let table = Table::of(rows)
-        .shown("Storey and floor above, direction", |(name, _)| Shown::from(name.as_str()))
+        .shown("Storey, floor", |(name, _)| Shown::from(name.as_str()))
         .shown("Collisions", move |(_, floor)| known(&floor.collisions, &Unit::COUNT))
         .shown_in(Unit::NEWTON_SECOND.shown, "Sum of impulses", move |(_, floor)| {
             known(&floor.impulse_n_s, &Unit::NEWTON_SECOND)
@@ -61,7 +61,7 @@ fn table(prepared: &Simulation, effects: &Effects, full: bool) -> Grid {
     let responses = [
         ("Drift", &Unit::METRE),
         ("Shear", &Unit::NEWTON),
-        ("Acceleration of the floor at this stiffness", &Unit::ACCELERATION),
+        ("Acceleration at this stiffness", &Unit::ACCELERATION),
     ];
     let table = responses.into_iter().enumerate().fold(table, |table, (response, (name, unit))| {
         let effect = move |floor: &FloorEffects| floor.responses()[response];

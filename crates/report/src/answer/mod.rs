@@ -41,7 +41,8 @@ impl Report<'_> {
             .say_as(Where::Page, Manner::Box(not_modelled::TITLE), "", self.not_modelled())
             .table(Where::Page, brief::buildings(prepared, &words))
             .table(Where::FirstScreen, brief::pairs(prepared, &review.outcome))
-            .say_as(Where::Everywhere, Manner::Soft, "Force", brief::forces(prepared, &review.outcome))
+            .say_as(Where::Terminal, Manner::Soft, "Force", brief::forces(prepared, &review.outcome))
+            .say_as(Where::Page, Manner::Soft, "", self.says_forces())
             .say(Where::FirstScreen, "Apart", brief::apart(prepared, &review.outcome))
             .table(Where::FirstScreen, brief::buildings(prepared, &words));
         let answer = self
@@ -152,6 +153,13 @@ impl Report<'_> {
             return answer.say(Where::Terminal, "Warnings", vec![besides.into()]);
         }
         answer.say(Where::Terminal, "Warnings", warnings)
+    }
+
+    /// The sentence about forces, which a terminal begins with a label.
+    fn says_forces(&self) -> Vec<String> {
+        let said = brief::forces(self.prepared, &self.review().outcome).into_iter();
+        said.map(|said| sentence(&format!("the forces are {}", said.replace("; grows", "; they grow"))))
+            .collect()
     }
 
     /// The effects that the model leaves out and that matter for the scene.

@@ -17,9 +17,11 @@ impl AssessmentReport {
     /// floor, neighbour, quantity, value.
     pub fn answer(&self) -> Answer<'_> {
         let unusual = self.unusual().iter().map(ToString::to_string).collect();
+        // What no gap helps against is the bold sentence of the page.
+        let is_over = !self.over_capacity().is_empty();
         let verdict = Manner::Verdict {
-            before: self.before().len(),
-            touch: !self.hit().is_empty() || !self.over_capacity().is_empty(),
+            before: if is_over { 0 } else { self.before().len() },
+            touch: is_over || !self.hit().is_empty(),
         };
         let answer = Answer::new()
             .say_as(Where::Everywhere, Manner::Box(UNUSUAL), "Unusual", unusual)

@@ -49,7 +49,7 @@ impl AssessmentReport {
             let restitution = law
                 .restitution()
                 .map_or_else(String::new, |restitution| format!(" with e = {}", two_decimals(restitution)));
-            format!(", law {}{restitution}", law.name())
+            format!(", law {}{restitution}", law.name().replace('_', " "))
         })
     }
 

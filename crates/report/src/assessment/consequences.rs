@@ -51,7 +51,7 @@ impl AssessmentReport {
     }
 
     /// Largest drift of a storey when they touch, over the stiffness of contact \[m\].
-    fn at_most(one: &FloorAssessment) -> f64 {
+    pub(super) fn at_most(one: &FloorAssessment) -> f64 {
         one.largest_drift.max(one.largest_drift_range[1])
     }
 

@@ -193,7 +193,7 @@ fn amplification(report: &AssessmentReport) -> Option<Figure> {
     }
     let floors = report.floors();
     let shown = shown(report);
-    let names: Vec<String> = shown.iter().map(|floor| writable(&report.floor_name(*floor))).collect();
+    let names: Vec<String> = shown.iter().map(|floor| writable(&report.storey_name(*floor))).collect();
     let panel = |title: &str, response: usize| {
         let mut curves = vec![as_alone(shown.len())];
         let mut medians = Vec::new();

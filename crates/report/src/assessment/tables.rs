@@ -188,11 +188,12 @@ impl AssessmentReport {
             .both(
                 "largest_drift_m",
                 ("Largest drift", "mm"),
-                |(_, one)| Cell::exact(one.largest_drift),
+                |(_, one)| Cell::exact(Self::at_most(one)),
                 move |(index, one)| {
                     let height = floor(*index).made_of.and_then(|made| made.height_m);
-                    let ratio = height.map_or_else(String::new, |height| format!(" ({})", percent(one.largest_drift / height)));
-                    format!("{}{ratio}", Unit::WIDTH.text_of(one.largest_drift, 0.0))
+                    let most = Self::at_most(one);
+                    let ratio = height.map_or_else(String::new, |height| format!(" ({})", percent(most / height)));
+                    format!("{}{ratio}", Unit::WIDTH.text_of(most, 0.0))
                 },
             )
             .column("worse", |(_, one)| one.is_worse())

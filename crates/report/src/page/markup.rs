@@ -35,8 +35,9 @@ pub(crate) fn escaped(text: &str) -> String {
     safe
 }
 
-/// Sentences as markup: what a terminal shows between backticks stands in the letters of code.
+/// Sentences as markup: what a terminal shows between backticks stands in the letters of code, and no line begins with a per cent sign.
 pub(crate) fn prose(text: &str) -> String {
+    let text = &text.replace(" %", "\u{a0}%");
     let parts: Vec<&str> = text.split('`').collect();
     if parts.len().is_multiple_of(2) {
         return escaped(text);

@@ -433,7 +433,7 @@ impl ExcessKind {
             Self::Shear => format!("shear force of {} kN", short(1e-3 * found)),
             Self::MassDamping => format!("dashpots to the ground of {} of critical damping", percent(found)),
             Self::ResidualDrift => format!("{} of drift left", percent(found)),
-            Self::BaseShear => format!("shear force of {} of the weight above", two_digits(found)),
+            Self::BaseShear => format!("shear force of {} times the weight above", two_digits(found)),
             Self::DamperForce => format!("damper force of {} of the yield force", percent(found)),
         }
     }

@@ -69,7 +69,7 @@ impl Excess {
                 percent(found)
             ),
             ExcessKind::BaseShear => format!(
-                "shear force of {} of the weight above, more than 0.4: few buildings are that strong (yield_force_n, shear_capacity_n)",
+                "shear force of {} times the weight above, more than 0.4: few buildings are that strong (yield_force_n, shear_capacity_n)",
                 two_digits(found)
             ),
             ExcessKind::DamperForce => format!(

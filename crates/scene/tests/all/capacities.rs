@@ -153,7 +153,7 @@ fn issue_elastic_frames_that_bear_half_their_weight_sideways_are_warned_of() {
     // 2.4 MN over 500 t.
     let [one] = &excesses[..] else { panic!("{excesses:?}") };
     assert!((one.found / (2.4e6 / (5e5 * 9.80665)) - 1.0).abs() < 1e-9, "{one:?}");
-    insta::assert_snapshot!(one, @"shop: shear force of 0.49 of the weight above, more than 0.4: few buildings are that strong (yield_force_n, shear_capacity_n)");
+    insta::assert_snapshot!(one, @"shop: shear force of 0.49 times the weight above, more than 0.4: few buildings are that strong (yield_force_n, shear_capacity_n)");
     assert_eq!(judged(&let_go("").replace("0.024", "0.018")).1, []);
 }
 
