@@ -245,12 +245,11 @@ impl Suite {
     /// [`Self::said_of_left_out`].
     pub fn remarks(&self, details: bool) -> Vec<String> {
         let declared = self.declared().into_iter().map(|(words, names)| {
-            let n = names.len();
-            let what = match n {
-                1 => "the only record that does not say it".into(),
-                n => format!("{n} records that do not say it"),
-            };
-            format!("{words} is declared, and was taken for {what}: {}", names.join(", "))
+            let (n, does) = (number(names.len(), "record"), if names.len() == 1 { "does" } else { "do" });
+            format!(
+                "{words} is declared, and was taken for {n} that {does} not say it: {}",
+                names.join(", ")
+            )
         });
         let untold = self.untold();
         let untold = (!untold.is_empty()).then(|| {

@@ -183,7 +183,7 @@ fn issue_one_unit_for_peaks_far_apart_is_warned_of() {
     let folder = Folder::new().with("one.txt", list(7.0)).with("three.txt", in_gal);
     let said = folder.declared(&in_g()).says_units_apart().expect("a warning");
     assert!(
-        said.starts_with("the unit g is declared for 2 records without one, whose peaks differ by a factor of 9")
+        said.starts_with("the unit g is declared for 2 records without one, whose peaks differ by a factor of 1000, ")
             && said.contains("one.txt ("),
         "{said}"
     );
@@ -212,7 +212,7 @@ fn issue_a_name_that_says_velocity_is_believed() {
     assert_eq!(suite.motions.len(), 4);
     let said = suite.remarks(false).join("\n");
     assert!(
-        said.contains("acceleration = true is declared, and was taken for the only record that does not say it: a.vel"),
+        said.contains("acceleration = true is declared, and was taken for 2 records that do not say it: a.vel, b_disp.txt"),
         "{said}"
     );
 }
