@@ -29,6 +29,8 @@ pub struct Assessment {
     /// Number of cases that are not believed, alone or [beside the neighbours](AssessedRun::disbelieved_beside). No effect of touching comes
     /// from them, unless all are.
     pub disbelieved: usize,
+    /// Number of cases in which a storey collapses under gravity; they are among those that are not believed.
+    pub collapsed: usize,
     /// Effect of the contact stiffness; `None` if no run that touches has several stiffnesses.
     pub by_stiffness: Option<StiffnessEffect>,
     /// Every gap between two neighbours, from the left.
@@ -213,6 +215,7 @@ impl Assessment {
             cases: count(runs.iter().map(RunOfCase::case)),
             disbelieved_alone,
             disbelieved,
+            collapsed: count(runs.iter().filter(|one| one.run.collapsed).map(RunOfCase::case)),
             by_stiffness: row.by_stiffness(),
             gaps: (0..first.separations.len()).filter_map(|index| row.gap(index)).collect(),
             floors: (0..first.floors.len()).map(|floor| row.floor(floor)).collect(),

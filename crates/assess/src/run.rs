@@ -30,6 +30,8 @@ pub struct AssessedRun {
     pub disbelieved_alone: Option<Excess>,
     /// The response beside the neighbours that is farthest beyond belief; `None` if it is believed.
     pub disbelieved_beside: Option<Excess>,
+    /// Whether a storey collapses under gravity, alone or beside the neighbours: nothing after it is known.
+    pub collapsed: bool,
     /// Implausible values of the scene and of its record.
     pub unusual: Vec<Implausible>,
 }
@@ -112,6 +114,7 @@ impl AssessedRun {
         let excesses = exact.excesses(&beside);
         let disbelieved_beside = beyond_belief(&excesses).cloned();
         let excesses = with_those_alone(excesses, &alone.excesses);
+        let collapsed = excesses.iter().any(|one| one.kind == ExcessKind::Collapse);
         let mut pushes = beside.collisions.all().iter();
         let mut variants = Vec::new();
         if pushes.any(|one| one.peak_force.is_some()) {
@@ -139,6 +142,7 @@ impl AssessedRun {
             disbelieved_alone: beyond_belief(&alone.excesses).cloned(),
             disbelieved_beside,
             excesses,
+            collapsed,
             unusual: simulation.doubts(),
         })
     }
@@ -164,8 +168,9 @@ impl AssessedRun {
 }
 
 /// Responses above which no result of the model is believed: twice the drift and the ductility that codes allow, and a twentieth of 12 m for
-/// a storey of unknown height. At the stability coefficient gravity takes all of the strength of a storey.
-const MOST_BELIEVED: [(ExcessKind, f64); 4] = [
+/// a storey of unknown height. At the stability coefficient gravity takes all of the strength of a storey. No collapse is believed.
+const MOST_BELIEVED: [(ExcessKind, f64); 5] = [
+    (ExcessKind::Collapse, 0.0),
     (ExcessKind::Drift, 0.05),
     (ExcessKind::Displacement, 0.6),
     (ExcessKind::Ductility, 12.0),

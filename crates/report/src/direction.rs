@@ -145,8 +145,16 @@ fn touching(prepared: &Simulation, result: &RunResult) -> usize {
     pairs.filter(|pair| result.of_pair(*pair).collisions > 0).count()
 }
 
-/// Describes a run of a scene in a sentence: how often floors touch, and how hard.
+/// Describes a run of a scene in a sentence: whether a storey collapses, how often floors touch, and how hard.
 pub fn run_sentence(prepared: &Simulation, result: &RunResult) -> String {
+    let touches = touch_sentence(prepared, result);
+    match prepared.says_collapse(result) {
+        Some(collapse) => format!("{collapse}; until then {touches}"),
+        None => touches,
+    }
+}
+
+fn touch_sentence(prepared: &Simulation, result: &RunResult) -> String {
     let all = PairOutcome::of(result.collisions.all());
     let pairs = prepared.pairs().len();
     let excesses = prepared.excesses(result);

@@ -1,5 +1,6 @@
 //! Tests of rows under many records; the kind of each is in its name.
 
+mod collapse;
 mod effects;
 mod separation;
 mod suite;

@@ -46,6 +46,7 @@ def row(
     heights: Sequence[float] | None = None,
     column_shape: str | None = None,
     p_delta: str | None = None,
+    collapse_drift_ratio: float | None = None,
     floors: str | None = None,
     property: str | Sequence[str] | None = None,
     arrivals: Sequence[float] | None = None,
@@ -76,6 +77,8 @@ def row(
         ``"fixed"``, the default, or ``"straight"``: shape of columns where slabs hit them.
     p_delta
         ``"from_masses"``: the weight of the masses acts on leaning storeys; heights are needed.
+    collapse_drift_ratio
+        Drift over the height of a storey at which it counts as collapsed under gravity, which ends the run; 0.2 by default.
     floors
         ``"level"`` if storeys of one number are at one height. Needed where a building of several storeys faces another structure and
         heights are not given.
@@ -129,6 +132,8 @@ def row(
         given["floors"] = floors
     if p_delta is not None:
         given["p_delta"] = p_delta
+    if collapse_drift_ratio is not None:
+        given["collapse_drift_ratio"] = collapse_drift_ratio
     if arrivals is not None:
         given["arrivals_s"] = list(arrivals)
     if method is not None:

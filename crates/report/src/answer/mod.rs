@@ -27,7 +27,11 @@ impl Report<'_> {
         let (prepared, review) = (self.prepared, self.review());
         let (summary, words) = (self.summary(), InWords::of(prepared, review));
         let unusual = Implausible::lines(summary.unusual.iter().map(|one| ("", one)));
-        let answer = Answer::new().say_as(Where::Everywhere, Manner::Box(UNUSUAL), "Unusual", unusual);
+        let collapse = prepared.says_collapse(&review.outcome).filter(|_| self.directions.is_none());
+        let collapse = collapse.iter().map(|said| sentence(said)).collect();
+        let answer = Answer::new()
+            .say_as(Where::Everywhere, Manner::Box("Collapse"), "Collapse", collapse)
+            .say_as(Where::Everywhere, Manner::Box(UNUSUAL), "Unusual", unusual);
         let answer = answer.say_as(Where::Page, Manner::Box(BEFORE), "", self.notices());
         // One box answers; the run of the scene's own direction follows it as a list.
         let manner = match self.directions {

@@ -241,6 +241,7 @@ impl AssessmentReport {
             .column("neighbour", |one| json!(one.neighbour))
             .shown_in("mm", "Widest gap needed", |one| Unit::NEEDED.text_of(one.run.widest_gap(), 0.0))
             .shown("Collisions", |one| one.run.collisions())
+            .column("collapsed", |one| one.run.collapsed)
     }
 
     /// The effects of bumpers on the forces of pairs.

@@ -60,6 +60,10 @@ impl Scene {
             return Err(found.help("describe it as the last of `structures` instead"));
         }
         check_budget(self)?;
+        if let Some(ratio) = self.collapse_drift_ratio {
+            let valid = ratio > 0.0 && ratio <= 1.0;
+            require(valid, "collapse_drift_ratio", ratio, "a number > 0 and <= 1")?;
+        }
         self.check_method()?;
         check_contacts(self)?;
         check_arrivals(self)

@@ -70,6 +70,9 @@ pub struct Scene {
     /// Whether the weight of the masses acts on leaning storeys (P-Δ), besides `gravity_load_n` of storeys, which always does.
     #[serde(default, skip_serializing_if = "Option::is_none", deserialize_with = "choice::maybe")]
     pub p_delta: Option<PDelta>,
+    /// Drift over the height of a storey \[–\], > 0 and ≤ 1, at which it counts as collapsed under gravity, and the run ends; 0.2 by default.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub collapse_drift_ratio: Option<f64>,
     /// One contact between each structure and its right neighbour; absent if the structures stand apart.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub contacts: Option<Vec<Contact>>,

@@ -103,6 +103,7 @@ impl Simulation {
         if let Some(broken) = broken {
             warnings.push(self.told(broken)?);
         }
+        warnings.extend(self.unstable(&outcome));
         let errors = if matches!(self.method(), Method::Exact { .. }) {
             warnings.extend(self.warnings_before(&outcome));
             if is_broken { Errors::Doubtful } else { Errors::Exact }
@@ -229,6 +230,20 @@ impl Simulation {
             steps,
             restitution,
         })
+    }
+
+    /// Storeys that pass their unstable equilibrium under gravity.
+    fn unstable(&self, outcome: &RunResult) -> Vec<Warning> {
+        let floors = self.floors().all().iter().enumerate();
+        let unstable = floors.filter_map(|(floor, one)| {
+            Some(Warning::Unstable {
+                name: one.name.clone(),
+                drift: one.made_of?.unstable_drift_m()?,
+                time: outcome.peaks.of(floor).unstable?,
+                collapses: outcome.collapse.is_some_and(|collapse| collapse.floor == floor),
+            })
+        });
+        unstable.collect()
     }
 
     /// Warns about slow touches under a law whose damper grows with 1/v₀, for a run with known approach speeds.

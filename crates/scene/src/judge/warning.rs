@@ -7,7 +7,7 @@ use pounding_solver::LedgerError;
 
 use crate::judge::limits::MethodLimits;
 use crate::{DeliveredRestitution, Quantity, QuantityGroup, QuantityKind};
-use pounding_text::digits;
+use pounding_text::{digits, short};
 
 /// A warning about a run.
 #[derive(Debug, Clone, PartialEq)]
@@ -79,6 +79,17 @@ pub enum Warning {
         /// Number of these touches.
         count: usize,
     },
+    /// A storey passes its unstable equilibrium under gravity.
+    Unstable {
+        /// Name of the floor above it.
+        name: String,
+        /// Drift of the equilibrium \[m\].
+        drift: f64,
+        /// First instant \[s\].
+        time: f64,
+        /// Whether the storey collapses in the run.
+        collapses: bool,
+    },
     /// The errors are not known, because the exact run fails.
     ErrorUnknown,
 }
@@ -111,7 +122,7 @@ impl Warning {
             }
             Self::Error { quantity, .. } => asked == *quantity,
             // It concerns the model, which every method shares.
-            Self::SlowTouches { .. } => false,
+            Self::SlowTouches { .. } | Self::Unstable { .. } => false,
         }
     }
 }
@@ -169,6 +180,24 @@ impl fmt::Display for Warning {
                     to,
                     "contacts[{contact}] ({left} – {right}): {count} touches below {SLOWEST_APPROACH} m/s, for which its damper, \
                      which grows with 1/v₀, is not defined; they count as {SLOWEST_APPROACH} m/s"
+                )
+            }
+            Self::Unstable {
+                name,
+                drift,
+                time,
+                collapses,
+            } => {
+                let after = if *collapses {
+                    "nothing brought it back"
+                } else {
+                    "shaking, the floors above or neighbours brought it back, or may still do so"
+                };
+                write!(
+                    to,
+                    "{name}: its storey passes its unstable equilibrium, a drift of {} mm, at t = {time:.4} s: from there gravity alone brings it \
+                     down; {after}",
+                    short(1e3 * drift)
                 )
             }
             Self::ErrorUnknown => write!(to, "the exact run fails, so that no error is known"),

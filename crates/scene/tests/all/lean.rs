@@ -107,6 +107,7 @@ fn scene() -> impl Strategy<Value = (Scene, Vec<f64>)> {
             contacts,
             neighbour: None,
             p_delta: None,
+            collapse_drift_ratio: None,
             arrivals_s: None,
             floors: None,
             method,
@@ -128,10 +129,11 @@ fn bits(outcome: &RunResult) -> String {
         closings,
         drift_rates,
         histories,
+        collapse,
         work: _,
     } = outcome;
     format!(
-        "{peaks:?} {:?} {momentum:?} {accelerations:?} {last:?} {closings:?} {drift_rates:?} {histories:?}",
+        "{peaks:?} {:?} {momentum:?} {accelerations:?} {last:?} {closings:?} {drift_rates:?} {histories:?} {collapse:?}",
         collisions.all()
     )
 }

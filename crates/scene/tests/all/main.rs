@@ -3,6 +3,7 @@
 mod beside;
 mod capacities;
 mod certificates;
+mod collapse;
 mod errors;
 mod extremes;
 mod floors;
