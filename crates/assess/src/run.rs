@@ -61,6 +61,8 @@ pub struct AssessedPair {
     pub largest_impulse: Option<[f64; 2]>,
     /// Largest speed of approach at the start of a collision \[m/s\], with the contact stiffness of the scene.
     pub approach_speed: Option<f64>,
+    /// Instant at which the right floor leaves its seat \[s\]; `None` if it does not, or if there is no seat.
+    pub unseated: Option<f64>,
 }
 
 impl AssessedRun {
@@ -105,9 +107,11 @@ impl AssessedRun {
         };
         let before = &alone.floors;
         let separations = alone.separations(reversed).unwrap_or_default().to_vec();
-        // Closings tell how near floors come to columns that they face.
+        // Closings tell how near floors come to columns that they face, and openings which floors leave their seats.
+        let has_seats = exact.scene().contacts.iter().flatten().any(|one| one.seat_width_m.is_some());
         let beside = exact.run_with(Extras {
-            closings: !exact.floors().beside_all_columns().is_empty(),
+            closings: has_seats || !exact.floors().beside_all_columns().is_empty(),
+            reversed_closings: has_seats,
             drift_rates: true,
             ..Extras::default()
         })?;
@@ -230,6 +234,7 @@ fn assessed_pair(simulation: &Simulation, runs: &[RunResult], pair: usize) -> As
         own_force: own.values(simulation).of(PairQuantity::PeakForceN, pair),
         largest_impulse: range(runs.iter().filter_map(|run| largest_blow(run, pair))),
         approach_speed: speeds.reduce(f64::max),
+        unseated: own.values(simulation).of(PairQuantity::UnseatedS, pair),
     }
 }
 

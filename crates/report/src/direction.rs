@@ -30,6 +30,7 @@ const SAME: f64 = 1e-9;
 pub fn other_direction(prepared: &Simulation) -> Result<RunResult, Error> {
     prepared.under(|record| record.scaled(-1.0))?.run_with(Extras {
         closings: true,
+        reversed_closings: true,
         drift_rates: true,
         ..Extras::default()
     })
@@ -129,7 +130,8 @@ fn notices(prepared: &Simulation, review: &Review, other: &RunResult, names: [&s
     };
     let excesses = kinds.into_iter().filter_map(excess);
     let warnings = review.warnings.iter().map(ToString::to_string);
-    let of_other = prepared.warnings_before(other);
+    let mut of_other = prepared.passed(other);
+    of_other.extend(prepared.warnings_before(other));
     let is_new = |one: &&pounding_scene::Warning| {
         let mut known = review.warnings.iter();
         known.all(|known| discriminant(known) != discriminant(*one))

@@ -102,6 +102,6 @@ pub use model::travel::{Opening, Travel};
 pub use record::recorder::{Impact, Recorder, Struck, Touch, Velocities};
 pub use record::{
     BesideColumn, Closing, Closings, Collision, Collisions, DriftRates, FloorAccelerations, Histories, History, LastStates, Laws, Leaning,
-    Ledger, LedgerError, PairTerms, Peak, Peaks, Recorders, StructurePeaks, Terms, TransferredMomentum,
+    Ledger, LedgerError, PairTerms, Peak, Peaks, Recorders, StructurePeaks, Terms, TransferredMomentum, Widening,
 };
 pub use span::{Flight, Motion, Path, Push, Series, Span, State, Weighed};

@@ -36,8 +36,14 @@ fn issue_a_collapse_counts_and_gives_no_width() {
     assert_eq!(runs.each_ref().map(|run| run.collapsed), [false, true]);
     assert!(runs[0].disbelieved_alone.is_none() && runs[1].disbelieved_alone.is_some());
     let of = |runs: &[AssessedRun]| {
-        let cases: Vec<_> = runs.iter().enumerate().map(|(event, run)| RunOfCase { event, neighbour: 0, run }).collect();
-        Assessment::of(simulation(1.0).scene(), &cases).expect("it fits").expect("there are runs")
+        let cases: Vec<_> = runs
+            .iter()
+            .enumerate()
+            .map(|(event, run)| RunOfCase { event, neighbour: 0, run })
+            .collect();
+        Assessment::of(simulation(1.0).scene(), &cases)
+            .expect("it fits")
+            .expect("there are runs")
     };
     let both = of(&runs);
     assert_eq!((both.cases, both.collapsed, both.disbelieved_alone), (2, 1, 1));

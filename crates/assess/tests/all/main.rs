@@ -2,6 +2,7 @@
 
 mod collapse;
 mod effects;
+mod seats;
 mod separation;
 mod suite;
 mod suite_events;

@@ -45,6 +45,7 @@ def row(
     levels: Sequence[int] | None = None,
     heights: Sequence[float] | None = None,
     column_shape: str | None = None,
+    seat_width: float | Sequence[float] | None = None,
     p_delta: str | None = None,
     collapse_drift_ratio: float | None = None,
     floors: str | None = None,
@@ -75,6 +76,8 @@ def row(
         Heights at which slabs can touch floors and columns [m]; by default all.
     column_shape
         ``"fixed"``, the default, or ``"straight"``: shape of columns where slabs hit them.
+    seat_width
+        Width of the seat of the right floor on the left one [m]: one for all gaps, or one for each.
     p_delta
         ``"from_masses"``: the weight of the masses acts on leaning storeys; heights are needed.
     collapse_drift_ratio
@@ -125,6 +128,8 @@ def row(
             contacts = [{**contact, "heights_m": list(heights)} for contact in contacts]
         if column_shape is not None:
             contacts = [{**contact, "column_shape": column_shape} for contact in contacts]
+        if seat_width is not None:
+            contacts = [{**contact, "seat_width_m": own} for contact, own in zip(contacts, for_each(seat_width, n, "seat_width"))]
         if property is not None:
             contacts = [{**contact, "property": own} for contact, own in zip(contacts, for_each(property, n, "property"))]
         given["contacts"] = contacts

@@ -47,6 +47,7 @@ impl Report<'_> {
             .table(Where::FirstScreen, brief::pairs(prepared, &review.outcome))
             .say_as(Where::Everywhere, Manner::Soft, "Force", brief::forces(prepared, &review.outcome))
             .say(Where::FirstScreen, "Apart", brief::apart(prepared, &review.outcome))
+            .say(Where::Everywhere, "Seats", brief::seats(prepared, &review.outcome))
             .table(Where::FirstScreen, brief::buildings(prepared, &words));
         let answer = self
             .warnings(answer)

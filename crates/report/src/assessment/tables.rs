@@ -228,6 +228,7 @@ impl AssessmentReport {
             .number("approach_speed_m_per_s", "Speed up to", &Unit::ROUGH_SPEED, |(_, one)| {
                 one.approach_speed
             })
+            .column("unseated", |(_, one)| json!(one.unseated))
     }
 
     /// Every run.

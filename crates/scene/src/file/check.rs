@@ -210,6 +210,9 @@ fn check_contacts(scene: &Scene) -> Result<(), Refused> {
             contact.gap_m,
             NOT_NEGATIVE,
         )?;
+        if let Some(width) = contact.seat_width_m {
+            require(width > 0.0, format_args!("contacts[{index}].seat_width_m"), width, POSITIVE)?;
+        }
         contact.law.check().map_err(|error| {
             let place = format!("contacts[{index}].law.{}.{}", contact.law.name(), error.parameter);
             out_of_range(place, error.found, error.allowed)

@@ -295,6 +295,9 @@ pub struct Contact {
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[schemars(length(min = 1))]
     pub heights_m: Option<Vec<f64>>,
+    /// Width of the seat of the right floor on the left one \[m\], > 0: a floor that moves farther away is unseated. By default there is none.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub seat_width_m: Option<f64>,
     /// Shape of columns between floors, where a slab hits them.
     #[serde(default, skip_serializing_if = "ColumnShape::is_fixed", deserialize_with = "choice::one")]
     pub column_shape: ColumnShape,

@@ -90,6 +90,17 @@ pub enum Warning {
         /// Whether the storey collapses in the run.
         collapses: bool,
     },
+    /// A floor leaves its seat.
+    Unseated {
+        /// Index of the contact in the scene.
+        contact: usize,
+        /// Names of its floors.
+        names: [String; 2],
+        /// Width of the seat \[m\].
+        width: f64,
+        /// First instant \[s\].
+        time: f64,
+    },
     /// The errors are not known, because the exact run fails.
     ErrorUnknown,
 }
@@ -122,7 +133,7 @@ impl Warning {
             }
             Self::Error { quantity, .. } => asked == *quantity,
             // It concerns the model, which every method shares.
-            Self::SlowTouches { .. } | Self::Unstable { .. } => false,
+            Self::SlowTouches { .. } | Self::Unstable { .. } | Self::Unseated { .. } => false,
         }
     }
 }
@@ -200,6 +211,17 @@ impl fmt::Display for Warning {
                     short(1e3 * drift)
                 )
             }
+            Self::Unseated {
+                contact,
+                names: [left, right],
+                width,
+                time,
+            } => write!(
+                to,
+                "contacts[{contact}] ({left} – {right}): unseated at t = {time:.4} s, where {right} has moved {} mm away from {left}, the width of \
+                 its seat: it may fall, which the model leaves out",
+                short(1e3 * width)
+            ),
             Self::ErrorUnknown => write!(to, "the exact run fails, so that no error is known"),
         }
     }

@@ -69,7 +69,7 @@ pub struct Extras {
     pub interval: Option<f64>,
     /// Largest closing between neighbours.
     pub closings: bool,
-    /// Largest closing under mirrored shaking; see [`Closings::both_ways`].
+    /// Largest opening between neighbours, which is the closing under mirrored shaking; see [`Closings::both_ways`].
     pub reversed_closings: bool,
     /// Peak drift rates, from which the forces of dampers follow.
     pub drift_rates: bool,
@@ -80,7 +80,7 @@ impl Extras {
     pub const COMPARED: Self = Self {
         interval: None,
         closings: true,
-        reversed_closings: false,
+        reversed_closings: true,
         drift_rates: false,
     };
 }
@@ -192,7 +192,7 @@ impl Simulation {
         let duration = self.clock.time(self.clock.n_steps);
         let closings = || {
             if asked.reversed_closings {
-                self.closings().both_ways()
+                self.closings().both_ways().seated(self.seats())
             } else {
                 self.closings()
             }
@@ -226,6 +226,13 @@ impl Simulation {
         let closings = Closings::new(self.walls(), look).travelled(self.travel());
         let columns = self.floors.beside_all_columns();
         closings.beside(columns.iter().map(|one| self.beside_column(one)).collect())
+    }
+
+    /// Left floors of the pairs with a seat, and its width \[m\].
+    fn seats(&self) -> impl Iterator<Item = (usize, f64)> {
+        let contacts = self.scene.contacts.as_deref().unwrap_or_default();
+        let facing = self.floors.facing().iter().filter(|one| one.column.is_none());
+        facing.filter_map(|one| Some((one.left, contacts[one.contact].seat_width_m?)))
     }
 
     fn beside_column(&self, one: &ColumnBeside) -> BesideColumn {

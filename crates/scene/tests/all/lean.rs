@@ -61,6 +61,7 @@ fn contact() -> impl Strategy<Value = Contact> {
         law,
         levels: None,
         heights_m: None,
+        seat_width_m: None,
         column_shape: pounding_scene::ColumnShape::Fixed,
         property: Property::Other,
     })

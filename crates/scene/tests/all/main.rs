@@ -13,5 +13,6 @@ mod judged;
 mod lean;
 mod mirrored;
 mod numbers;
+mod openings;
 mod scene_files;
 mod spectrum;

@@ -12,7 +12,7 @@ pub(crate) mod recorder;
 mod recorders;
 mod transferred_momentum;
 
-pub use closings::{BesideColumn, Closing, Closings};
+pub use closings::{BesideColumn, Closing, Closings, Widening};
 pub use collisions::is_plastic;
 pub use collisions::{Collision, Collisions};
 pub use drift_rates::DriftRates;

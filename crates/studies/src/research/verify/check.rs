@@ -143,6 +143,15 @@ impl Checked {
                 return failed(failure.verdict(), failure);
             }
         };
+        if let Some(collapse) = outcome.collapse {
+            // The second route knows no collapse: both are compared until then.
+            let until = Scene {
+                duration_s: Some(collapse.time_s),
+                collapse_drift_ratio: Some(1.0),
+                ..scene.clone()
+            };
+            return Self::run(index, &until, base, begin, stop);
+        }
         begin(Stage::SecondRoute);
         let second = crate::second_route(&prepared, Fineness::FINE);
         let residual = residual(balance.residual);
