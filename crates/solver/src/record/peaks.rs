@@ -89,11 +89,12 @@ impl StructurePeaks {
     fn lean(&mut self, span: &Span<'_>) -> Option<f64> {
         let Leaning { unstable_at, falls_at, .. } = self.leaning;
         let peak = self.drift();
-        let first = |drift: f64| (peak.value.abs() >= drift).then(|| span.first_beyond(drift, peak.time));
+        let reached = peak.value.abs();
+        let first = |drift: f64| (reached >= (1.0 - ROUNDING) * drift).then(|| span.first_beyond(drift.min(reached), peak.time));
         if self.unstable.is_none() {
             self.unstable = first(unstable_at);
         }
-        first((1.0 - ROUNDING) * falls_at)
+        first(falls_at)
     }
 
     /// Updates the peaks with the drifts of a storey on another floor.
@@ -208,7 +209,7 @@ impl Peaks {
 }
 
 /// Part of its drift that a storey may lack when it counts as fallen \[–\]: the exact method ends a piece at this drift up to rounding.
-const ROUNDING: f64 = 1e-9;
+const ROUNDING: f64 = 1e-12;
 
 impl Recorder for Peaks {
     fn fallen(&self) -> Option<(usize, f64)> {
