@@ -198,33 +198,40 @@ impl fmt::Display for Warning {
                 drift,
                 time,
                 collapses,
-            } => {
-                let after = if *collapses {
-                    "nothing brought it back"
-                } else {
-                    "shaking, the floors above or neighbours brought it back, or may still do so"
-                };
-                write!(
-                    to,
-                    "{name}: its storey passes its unstable equilibrium, a drift of {} mm, at t = {time:.4} s: from there gravity alone brings it \
-                     down; {after}",
-                    short(1e3 * drift)
-                )
-            }
+            } => unstable(name, [*drift, *time], *collapses, to),
             Self::Unseated {
                 contact,
-                names: [left, right],
+                names,
                 width,
                 time,
-            } => write!(
-                to,
-                "contacts[{contact}] ({left} – {right}): unseated at t = {time:.4} s, where {right} has moved {} mm away from {left}, the width of \
-                 its seat: it may fall, which the model leaves out",
-                short(1e3 * width)
-            ),
+            } => unseated(*contact, names, [*width, *time], to),
             Self::ErrorUnknown => write!(to, "the exact run fails, so that no error is known"),
         }
     }
+}
+
+/// Describes a storey that passes its unstable equilibrium at a drift \[m\] and an instant \[s\].
+fn unstable(name: &str, [drift, time]: [f64; 2], collapses: bool, to: &mut Formatter<'_>) -> fmt::Result {
+    let after = if collapses {
+        "nothing brought it back"
+    } else {
+        "shaking, the floors above or neighbours brought it back, or may still do so"
+    };
+    write!(
+        to,
+        "{name}: its storey passes its unstable equilibrium, a drift of {} mm, at t = {time:.4} s: from there gravity alone brings it down; {after}",
+        short(1e3 * drift)
+    )
+}
+
+/// Describes a floor that leaves a seat of a width \[m\] at an instant \[s\].
+fn unseated(contact: usize, [left, right]: &[String; 2], [width, time]: [f64; 2], to: &mut Formatter<'_>) -> fmt::Result {
+    write!(
+        to,
+        "contacts[{contact}] ({left} – {right}): unseated at t = {time:.4} s, where {right} has moved {} mm away from {left}, the width of its seat: it \
+         may fall, which the model leaves out",
+        short(1e3 * width)
+    )
 }
 
 /// Describes an exact run with unexplained energy.

@@ -57,7 +57,7 @@ structures = [{{ sdof = {{ name = "a", mass_kg = {}, stiffness_n_per_m = {stiffn
         let speed = self.velocity.abs();
         let (elastic, away) = (self.omega * (1.0 - self.theta).sqrt(), self.omega * self.theta.sqrt());
         let yields = libm::asin(elastic * self.yields_at / speed) / elastic;
-        let rate = (speed * speed - (elastic * self.yields_at).powi(2)).sqrt();
+        let rate = (speed * speed - elastic * self.yields_at * elastic * self.yields_at).sqrt();
         let start = self.yields_at - self.unstable();
         let [grows, decays] = [0.5 * (start + rate / away), 0.5 * (start - rate / away)];
         let beyond = drift - self.unstable();
