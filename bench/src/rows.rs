@@ -148,6 +148,7 @@ pub(crate) fn timed_row(
             law,
             levels: None,
             heights_m: None,
+            seat_width_m: None,
             column_shape: pounding_scene::ColumnShape::Fixed,
             property: Property::default(),
         };
@@ -165,6 +166,7 @@ pub(crate) fn timed_row(
         contacts,
         neighbour: None,
         p_delta: None,
+        collapse_drift_ratio: None,
         arrivals_s: None,
         floors: Some(FloorHeights::Level),
         method,

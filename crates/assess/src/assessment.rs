@@ -29,6 +29,8 @@ pub struct Assessment {
     /// Number of cases that are not believed, alone or [beside the neighbours](AssessedRun::disbelieved_beside). No effect of touching comes
     /// from them, unless all are.
     pub disbelieved: usize,
+    /// Number of cases in which a storey collapses under gravity; they are among those that are not believed.
+    pub collapsed: usize,
     /// Effect of the contact stiffness; `None` if no run that touches has several stiffnesses.
     pub by_stiffness: Option<StiffnessEffect>,
     /// Every gap between two neighbours, from the left.
@@ -162,6 +164,8 @@ pub struct PairAssessment {
     pub largest_impulse: Option<[Distribution; 2]>,
     /// Largest speed of approach \[m/s\].
     pub approach_speed: Option<f64>,
+    /// Number of cases in which the right floor leaves its seat; `None` if there is no seat.
+    pub unseated: Option<usize>,
 }
 
 /// A run and its case.
@@ -230,6 +234,7 @@ impl Assessment {
             cases: count(runs.iter().map(RunOfCase::case)),
             disbelieved_alone,
             disbelieved,
+            collapsed: count(runs.iter().filter(|one| one.run.collapsed).map(RunOfCase::case)),
             by_stiffness: row.by_stiffness(),
             gaps: (0..first.separations.len()).filter_map(|index| row.gap(index)).collect(),
             floors: (0..first.floors.len()).map(|floor| row.floor(floor)).collect(),
@@ -320,10 +325,17 @@ impl<'r> AssessedRow<'r> {
             own.filter(|(_, one)| one.collisions > 0).collect()
         };
         let (all, counted) = (of(self.all), of(self.runs));
-        assessed_pair(
-            if counted.is_empty() { &all } else { &counted },
-            count(all.iter().map(|(case, _)| *case)),
-        )
+        let unseated = self.all.iter().filter(|one| one.run.pairs[pair].unseated.is_some());
+        let facing = &self.floors.facing()[pair];
+        let contact = self.scene.contacts.as_ref().and_then(|all| all.get(facing.contact));
+        let seat = contact.and_then(|one| one.seat_width_m).filter(|_| facing.column.is_none());
+        PairAssessment {
+            unseated: seat.map(|_| count(unseated.map(RunOfCase::case))),
+            ..assessed_pair(
+                if counted.is_empty() { &all } else { &counted },
+                count(all.iter().map(|(case, _)| *case)),
+            )
+        }
     }
 
     fn by_stiffness(&self) -> Option<StiffnessEffect> {
@@ -443,5 +455,6 @@ fn assessed_pair(all: &[(Case, &AssessedPair)], touching: usize) -> PairAssessme
         peak_force: over(|one| one.peak_force),
         largest_impulse: over(|one| one.largest_impulse),
         approach_speed: all.iter().filter_map(|(_, one)| one.approach_speed).reduce(f64::max),
+        unseated: None,
     }
 }

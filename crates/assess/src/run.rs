@@ -35,6 +35,8 @@ pub struct AssessedRun {
     pub disbelieved_alone: Option<Excess>,
     /// The response beside the neighbours that is farthest beyond belief; `None` if it is believed.
     pub disbelieved_beside: Option<Excess>,
+    /// Whether a storey collapses under gravity, alone or beside the neighbours: nothing after it is known.
+    pub collapsed: bool,
     /// Implausible values of the scene and of its record.
     pub unusual: Vec<Implausible>,
 }
@@ -64,6 +66,8 @@ pub struct AssessedPair {
     pub largest_impulse: Option<[f64; 2]>,
     /// Largest speed of approach at the start of a collision \[m/s\], with the contact stiffness of the scene.
     pub approach_speed: Option<f64>,
+    /// Instant at which the right floor leaves its seat \[s\]; `None` if it does not, or if there is no seat.
+    pub unseated: Option<f64>,
 }
 
 impl AssessedRun {
@@ -108,9 +112,11 @@ impl AssessedRun {
         };
         let before = &alone.floors;
         let separations = alone.separations(reversed).unwrap_or_default().to_vec();
-        // Closings tell how near floors come to columns that they face.
+        // Closings tell how near floors come to columns that they face, and openings which floors leave their seats.
+        let has_seats = exact.scene().contacts.iter().flatten().any(|one| one.seat_width_m.is_some());
         let beside = exact.run_with(Extras {
-            closings: !exact.floors().beside_all_columns().is_empty(),
+            closings: has_seats || !exact.floors().beside_all_columns().is_empty(),
+            reversed_closings: has_seats,
             drift_rates: true,
             ..Extras::default()
         })?;
@@ -127,6 +133,8 @@ impl AssessedRun {
         for one in &variants {
             excesses.extend(exact.excesses(one).into_iter().filter(|one| one.kind.strains()));
         }
+        let mut judged = excesses.iter().chain(&alone.excesses);
+        let collapsed = judged.any(|one| one.kind == ExcessKind::Collapse);
         variants.push(beside);
         let pairs = 0..simulation.pairs().len();
         let after: Vec<_> = variants.iter().map(|one| FloorPeaks::all(&exact, one)).collect();
@@ -148,6 +156,7 @@ impl AssessedRun {
             excesses: Excess::worst(excesses),
             excesses_alone: those_alone(&alone.excesses),
             over_capacity_alone: alone.over_capacity.clone(),
+            collapsed,
             unusual: simulation.doubts(),
         })
     }
@@ -173,8 +182,9 @@ impl AssessedRun {
 }
 
 /// Responses above which no result of the model is believed: twice the drift and the ductility that codes allow, and a twentieth of 12 m for
-/// a storey of unknown height. At the stability coefficient gravity takes all of the strength of a storey.
-const MOST_BELIEVED: [(ExcessKind, f64); 4] = [
+/// a storey of unknown height. At the stability coefficient gravity takes all of the strength of a storey. No collapse is believed.
+const MOST_BELIEVED: [(ExcessKind, f64); 5] = [
+    (ExcessKind::Collapse, 0.0),
     (ExcessKind::Drift, 0.05),
     (ExcessKind::Displacement, 0.6),
     (ExcessKind::Ductility, 12.0),
@@ -226,6 +236,7 @@ fn assessed_pair(simulation: &Simulation, runs: &[RunResult], pair: usize) -> As
         own_force: own.values(simulation).of(PairQuantity::PeakForceN, pair),
         largest_impulse: range(runs.iter().filter_map(|run| largest_blow(run, pair))),
         approach_speed: speeds.reduce(f64::max),
+        unseated: own.values(simulation).of(PairQuantity::UnseatedS, pair),
     }
 }
 

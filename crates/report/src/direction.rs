@@ -30,6 +30,7 @@ const SAME: f64 = 1e-9;
 pub fn other_direction(prepared: &Simulation) -> Result<RunResult, Error> {
     prepared.under(|record| record.scaled(-1.0))?.run_with(Extras {
         closings: true,
+        reversed_closings: true,
         drift_rates: true,
         ..Extras::default()
     })
@@ -129,7 +130,8 @@ fn notices(prepared: &Simulation, review: &Review, other: &RunResult, names: [&s
     };
     let excesses = kinds.into_iter().filter_map(excess);
     let warnings = review.warnings.iter().map(ToString::to_string);
-    let of_other = prepared.warnings_before(other);
+    let mut of_other = prepared.passed(other);
+    of_other.extend(prepared.warnings_before(other));
     let is_new = |one: &&pounding_scene::Warning| {
         let mut known = review.warnings.iter();
         known.all(|known| discriminant(known) != discriminant(*one))
@@ -145,8 +147,16 @@ fn touching(prepared: &Simulation, result: &RunResult) -> usize {
     pairs.filter(|pair| result.of_pair(*pair).collisions > 0).count()
 }
 
-/// Describes a run of a scene in a sentence: how often floors touch, and how hard.
+/// Describes a run of a scene in a sentence: whether a storey collapses, how often floors touch, and how hard.
 pub fn run_sentence(prepared: &Simulation, result: &RunResult) -> String {
+    let touches = touch_sentence(prepared, result);
+    match prepared.says_collapse(result) {
+        Some(collapse) => format!("{collapse}; until then {touches}"),
+        None => touches,
+    }
+}
+
+fn touch_sentence(prepared: &Simulation, result: &RunResult) -> String {
     let all = PairOutcome::of(result.collisions.all());
     let pairs = prepared.pairs().len();
     let excesses = prepared.excesses(result);

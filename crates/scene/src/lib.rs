@@ -67,6 +67,6 @@ pub use quantity::{FloorQuantity, PairQuantity, Quantity, QuantityEntry, Quantit
 pub use simulation::dampers::MassDamping;
 pub use simulation::floors::{ColumnBeside, Floor, FloorPair, Floors, StoreyProperties, UnwatchedFloor};
 pub use simulation::{
-    Advice, AuditedRun, EnergyBalance, Extras, Goal, MethodTrial, PairOutcome, QuantityGroup, RunResult, Simulation, StepSizes,
+    Advice, AuditedRun, Collapse, EnergyBalance, Extras, Goal, MethodTrial, PairOutcome, QuantityGroup, RunResult, Simulation, StepSizes,
 };
 pub use spectrum::{SpectralValues, Spectrum, periods_between, response_spectra, response_spectrum, scaled_to_sa};

@@ -161,14 +161,6 @@ pub enum RunError {
         /// Instant \[s\].
         time: f64,
     },
-    /// A storey under gravity has fallen.
-    #[error("structure {structure} at t = {time:.4} s: its storey falls under gravity; no motion after it means anything")]
-    Fallen {
-        /// Index of the structure, from the left.
-        structure: usize,
-        /// Instant on the clock of recorders \[s\].
-        time: f64,
-    },
     /// Newton's method did not reach equilibrium.
     #[error(
         "structures {first} to {last} at t = {time:.4} s: no equilibrium after {iterations} Newton iterations \

@@ -101,7 +101,7 @@ pub use model::row::Row;
 pub use model::travel::{Opening, Travel};
 pub use record::recorder::{Impact, Recorder, Struck, Touch, Velocities};
 pub use record::{
-    BesideColumn, Closing, Closings, Collision, Collisions, DriftRates, FloorAccelerations, Histories, History, LastStates, Laws, Ledger,
-    LedgerError, PairTerms, Peak, Peaks, Recorders, StructurePeaks, Terms, TransferredMomentum,
+    BesideColumn, Closing, Closings, Collision, Collisions, DriftRates, FloorAccelerations, Histories, History, LastStates, Laws, Leaning,
+    Ledger, LedgerError, PairTerms, Peak, Peaks, Recorders, StructurePeaks, Terms, TransferredMomentum, Widening,
 };
 pub use span::{Flight, Motion, Path, Push, Series, Span, State, Weighed};

@@ -58,8 +58,8 @@ where
         };
         method.step(row, step, &mut work, recorder)?;
         work.steps += 1;
-        if let Some((structure, time)) = recorder.fallen() {
-            return Err(RunError::Fallen { structure, time });
+        if recorder.fallen().is_some() {
+            break;
         }
     }
     Ok(work)

@@ -195,6 +195,21 @@ impl Span<'_> {
         }
     }
 
+    /// First instant at which the magnitude of the drift reaches a value \[m\] that it has at a later instant of the span.
+    pub(crate) fn first_beyond(&self, drift: f64, later: f64) -> f64 {
+        let (mut before, mut after) = (self.start_time, later.min(self.end_time));
+        // Each half of the interval is half as long: more halves than a number has bits change nothing.
+        for _ in 0..f64::MANTISSA_DIGITS {
+            let middle = 0.5 * (before + after);
+            if self.drift(middle).displacement.abs() < drift {
+                before = middle;
+            } else {
+                after = middle;
+            }
+        }
+        after
+    }
+
     /// Duration \[s\].
     pub fn duration(&self) -> f64 {
         self.end_time - self.start_time

@@ -264,6 +264,7 @@ impl Sweep {
         let asked = Extras {
             interval: None,
             closings: self.closings,
+            reversed_closings: self.closings,
             ..Extras::default()
         };
         let outcome = if self.verdict {

@@ -92,6 +92,13 @@ use pounding_scene::file::in_file;
 use pounding_scene::{Implausible, Method, PairQuantity, Quantity, Scene, Simulation};
 use pounding_text::{RefusalKind, Refused};
 
+/// The numbers that need closings.
+const OPENINGS: [Quantity; 3] = [
+    Quantity::Pair(PairQuantity::LeastOpeningM),
+    Quantity::Pair(PairQuantity::LargestOpeningM),
+    Quantity::Pair(PairQuantity::UnseatedS),
+];
+
 /// A sweep with its scene and records, after a trial of its values.
 #[derive(Debug)]
 pub struct Sweep {
@@ -103,7 +110,7 @@ pub struct Sweep {
     /// The columns of numbers.
     outputs: Vec<Output>,
     verdict: bool,
-    /// Whether least openings are requested.
+    /// Whether least or largest openings, or the loss of a seat, are requested.
     closings: bool,
     /// Choice of the method, if the scene requests an accuracy.
     accuracy: Option<SweepAccuracy>,
@@ -218,8 +225,7 @@ impl Sweep {
             None => trial::row_of(&scene)?,
         };
         sweep.outputs = sweep.row.outputs(&file.outputs);
-        let opening = Quantity::Pair(PairQuantity::LeastOpeningM);
-        sweep.closings = sweep.outputs.iter().any(|one| one.quantity == opening);
+        sweep.closings = sweep.outputs.iter().any(|one| OPENINGS.contains(&one.quantity));
         if let Some(words) = &file.summary {
             let directions = file.directions.map_or(1, |all| all.reversed().len());
             sweep.summary = Some(sweep.form(words, directions)?);

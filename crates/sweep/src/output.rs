@@ -1,6 +1,6 @@
 //! The structures of a row, and the requested numbers: a column for each.
 
-use pounding_scene::{FloorPair, Floors, Quantity, QuantityKind};
+use pounding_scene::{FloorPair, FloorQuantity, Floors, Quantity, QuantityKind};
 
 use super::file::Outputs;
 
@@ -22,6 +22,8 @@ pub(super) struct RowShape {
     pairs: Vec<FloorPair>,
     /// Names of both sides of every pair.
     sides: Vec<[String; 2]>,
+    /// Whether gravity acts on a leaning storey in some run, so that runs may end in a collapse.
+    pub(super) leans: bool,
 }
 
 /// A floor, or a wall.
@@ -45,6 +47,7 @@ impl RowShape {
             floors: named.collect(),
             pairs: floors.facing().to_vec(),
             sides: floors.facing().iter().map(|pair| floors.names_of(pair)).collect(),
+            leans: floors.has_gravity(),
         }
     }
 
@@ -107,9 +110,33 @@ impl RowShape {
             columns(neighbours, &asked.neighbours, true),
             columns(each(&floors), &asked.structures, false),
             columns(each(&pairs), &asked.pairs, false),
+            self.collapses(),
         ]
         .concat()
     }
+}
+
+impl RowShape {
+    /// The column of the instant at which a run ends in a collapse, by which summaries count these runs; empty without gravity.
+    fn collapses(&self) -> Vec<Output> {
+        let moving = (0..self.floors.len()).filter(|floor| !self.floors[*floor].is_wall);
+        let quantity = COLLAPSE.into();
+        let column = self.leans.then(|| Output {
+            name: collapse_column().into(),
+            quantity,
+            places: moving.collect(),
+            is_whole: false,
+        });
+        column.into_iter().collect()
+    }
+}
+
+/// The number by which summaries count runs that end in a collapse.
+const COLLAPSE: FloorQuantity = FloorQuantity::CollapseS;
+
+/// Name of its column, which belongs to the whole row.
+pub(super) fn collapse_column() -> &'static str {
+    COLLAPSE.about().name
 }
 
 /// All quantities of each of these places; empty without places.

@@ -121,6 +121,7 @@ impl Sweep {
         };
         let floors = found.floors();
         let first = row.get_or_insert_with(|| RowShape::of(floors));
+        first.leans |= floors.has_gravity();
         if first.fits(floors) {
             return Ok(());
         }

@@ -9,6 +9,7 @@ mod budgets;
 mod buildings;
 mod certificates;
 mod codes;
+mod collapses;
 mod directions;
 mod documents;
 mod errors;

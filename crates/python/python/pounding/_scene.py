@@ -45,7 +45,9 @@ def row(
     levels: Sequence[int] | None = None,
     heights: Sequence[float] | None = None,
     column_shape: str | None = None,
+    seat_width: float | Sequence[float] | None = None,
     p_delta: str | None = None,
+    collapse_drift_ratio: float | None = None,
     floors: str | None = None,
     property: str | Sequence[str] | None = None,
     arrivals: Sequence[float] | None = None,
@@ -74,8 +76,12 @@ def row(
         Heights at which slabs can touch floors and columns [m]; by default all.
     column_shape
         ``"fixed"``, the default, or ``"straight"``: shape of columns where slabs hit them.
+    seat_width
+        Width of the seat of the right floor on the left one [m]: one for all gaps, or one for each.
     p_delta
         ``"from_masses"``: the weight of the masses acts on leaning storeys; heights are needed.
+    collapse_drift_ratio
+        Drift over the height of a storey at which it counts as collapsed under gravity, which ends the run; 0.2 by default.
     floors
         ``"level"`` if storeys of one number are at one height. Needed where a building of several storeys faces another structure and
         heights are not given.
@@ -122,6 +128,8 @@ def row(
             contacts = [{**contact, "heights_m": list(heights)} for contact in contacts]
         if column_shape is not None:
             contacts = [{**contact, "column_shape": column_shape} for contact in contacts]
+        if seat_width is not None:
+            contacts = [{**contact, "seat_width_m": own} for contact, own in zip(contacts, for_each(seat_width, n, "seat_width"))]
         if property is not None:
             contacts = [{**contact, "property": own} for contact, own in zip(contacts, for_each(property, n, "property"))]
         given["contacts"] = contacts
@@ -129,6 +137,8 @@ def row(
         given["floors"] = floors
     if p_delta is not None:
         given["p_delta"] = p_delta
+    if collapse_drift_ratio is not None:
+        given["collapse_drift_ratio"] = collapse_drift_ratio
     if arrivals is not None:
         given["arrivals_s"] = list(arrivals)
     if method is not None:

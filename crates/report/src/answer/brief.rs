@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use pounding_contact::LawName;
-use pounding_scene::{Errors, FloorQuantity, QuantityGroup, Review, RunResult, Simulation};
+use pounding_scene::{Errors, FloorQuantity, PairQuantity, QuantityGroup, Review, RunResult, Simulation};
 use pounding_text::{Grid, Shown, Table, Unit, digits, percent, short};
 
 use crate::shown::tables::WORST;
@@ -103,6 +103,29 @@ pub(super) fn apart(prepared: &Simulation, outcome: &RunResult) -> Vec<String> {
         (_, 1) => vec!["1 pair of floors never touches".into()],
         (_, n) => vec![format!("{n} pairs of floors never touch")],
     }
+}
+
+/// How far floors with seats move on them.
+pub(super) fn seats(prepared: &Simulation, outcome: &RunResult) -> Vec<String> {
+    let contacts = prepared.scene().contacts.as_deref().unwrap_or_default();
+    let values = outcome.values(prepared);
+    let pairs = prepared.floors().facing().iter().enumerate();
+    let seats = pairs.filter_map(|(pair, facing)| {
+        let contact = contacts.get(facing.contact)?;
+        let width = contact.seat_width_m.filter(|_| facing.column.is_none())?;
+        let moved = values.of(PairQuantity::LargestOpeningM, pair)? - contact.gap_m;
+        Some(format!(
+            "{}: {} of {} mm",
+            prepared.floors().names(pair).join(" – "),
+            short(1e3 * moved),
+            digits(1e3 * width)
+        ))
+    });
+    let seats: Vec<String> = seats.collect();
+    if seats.is_empty() {
+        return seats;
+    }
+    vec![format!("used at most: {}", seats.join("; "))]
 }
 
 /// The worst of every building, each with the number of its floor or storey. The drift of isolators is none of columns, and is left out beside that of storeys.

@@ -26,9 +26,7 @@ impl Report<'_> {
     pub fn answer(&self) -> Answer<'_> {
         let (prepared, review) = (self.prepared, self.review());
         let (summary, words) = (self.summary(), InWords::of(prepared, review));
-        let unusual = Implausible::lines(summary.unusual.iter().map(|one| ("", one)));
-        let answer = Answer::new().say_as(Where::Everywhere, Manner::Box(UNUSUAL), "Unusual", unusual);
-        let answer = answer.say_as(Where::Page, Manner::Box(BEFORE), "", self.notices());
+        let answer = self.begin(&summary);
         // One box answers; the run of the scene's own direction follows it as a list.
         let manner = match self.directions {
             Some(_) => Manner::List,
@@ -44,6 +42,15 @@ impl Report<'_> {
             .say_as(Where::Terminal, Manner::Soft, "Force", brief::forces(prepared, &review.outcome))
             .say_as(Where::Page, Manner::Soft, "", self.says_forces())
             .say(Where::FirstScreen, "Apart", brief::apart(prepared, &review.outcome))
+            .say(Where::FirstScreen, "Seats", brief::seats(prepared, &review.outcome))
+            .say(
+                Where::Page,
+                "",
+                brief::seats(prepared, &review.outcome)
+                    .iter()
+                    .map(|used| sentence(&format!("seats {used}")))
+                    .collect(),
+            )
             .table(Where::FirstScreen, brief::buildings(prepared, &words));
         let answer = self
             .warnings(answer)
@@ -84,6 +91,22 @@ impl Report<'_> {
         self.made_of(answer, &summary)
             .say(Where::FirstScreen, "More", vec![MORE.into()])
             .with_json(|| self.summary().to_json())
+    }
+
+    /// The answer with what precedes all else: a collapse, unless the sentences of both directions name it, unusual values and warnings.
+    fn begin(&self, summary: &Summary) -> Answer<'_> {
+        let collapse = self.prepared.says_collapse(&self.review().outcome);
+        let collapse = collapse.filter(|_| self.directions.is_none());
+        let unusual = Implausible::lines(summary.unusual.iter().map(|one| ("", one)));
+        Answer::new()
+            .say_as(
+                Where::Everywhere,
+                Manner::Box("Collapse"),
+                "Collapse",
+                collapse.iter().map(|said| sentence(said)).collect(),
+            )
+            .say_as(Where::Everywhere, Manner::Box(UNUSUAL), "Unusual", unusual)
+            .say_as(Where::Page, Manner::Box(BEFORE), "", self.notices())
     }
 
     /// Adds the facts of the run: its scene, ground motion, method, errors, histories, work and energy.

@@ -151,6 +151,7 @@ impl AssessmentReport {
             .fact("target", json!(self.fit.as_ref().map(fit)))
             .fact("events", assessment.events)
             .fact("cases", assessment.cases)
+            .fact("collapsed", assessment.collapsed)
             .fact("left_out", self.folder.left_out.clone())
             .fact("by_stiffness", json!(by_stiffness))
             .fact("gaps", self.gaps().json())

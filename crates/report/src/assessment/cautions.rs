@@ -185,6 +185,7 @@ impl AssessmentReport {
             drifts.fold(0.0, f64::max)
         }));
         said.extend(self.folder.units_apart.as_ref().map(|said| format!("{said}: {CONVERT}")));
+        said.extend(self.unseated());
         said.extend(self.misfit());
         let far: Vec<String> = self
             .far()
@@ -216,6 +217,20 @@ impl AssessmentReport {
             said.push("the records are not scaled: the answer is one for their earthquakes, not for a site; set one with the options scale and target".into());
         }
         said
+    }
+
+    /// Floors that leave their seats.
+    fn unseated(&self) -> Vec<String> {
+        let pairs = self.assessment.pairs.iter().enumerate();
+        let unseated = pairs.filter_map(|(pair, one)| {
+            let n = one.unseated.filter(|n| *n > 0)?;
+            let names = self.floors.names(pair).join(" – ");
+            Some(format!(
+                "{names}: unseated in {}: the right floor moves farther away than its seat is wide, and may fall (seat_width_m)",
+                self.of_cases(n)
+            ))
+        });
+        unseated.collect()
     }
 
     /// What a mean spectrum below the target asks for.

@@ -236,6 +236,7 @@ impl AssessmentReport {
             .number("approach_speed_m_per_s", "Speed up to", &Unit::ROUGH_SPEED, |(_, one)| {
                 one.approach_speed
             })
+            .column("unseated", |(_, one)| json!(one.unseated))
     }
 
     /// Every run.
@@ -249,6 +250,7 @@ impl AssessmentReport {
             .column("neighbour", |one| json!(one.neighbour))
             .shown_in("mm", "Widest gap needed", |one| Unit::NEEDED.text_of(one.run.widest_gap(), 0.0))
             .shown("Collisions", |one| one.run.collisions())
+            .column("collapsed", |one| one.run.collapsed)
     }
 
     /// The effects of bumpers on the forces of pairs.

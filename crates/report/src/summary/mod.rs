@@ -38,6 +38,9 @@ pub struct Summary {
     /// The effects of pounding on every storey, in the order of the structures, if they were asked for.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub effects: Option<Effects>,
+    /// The collapse that ended the run before its duration, if there is one.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub collapse: Option<CollapseSummary>,
     /// Where the energy went.
     pub ledger: LedgerSummary,
     /// What the run cost.
@@ -47,6 +50,17 @@ pub struct Summary {
     pub unusual: Vec<Implausible>,
     /// What to know before believing the numbers, in words.
     pub warnings: Vec<String>,
+}
+
+/// The collapse of a storey under gravity.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct CollapseSummary {
+    /// Name of the structure.
+    pub structure: String,
+    /// Number of the storey, from 1.
+    pub storey: usize,
+    /// Instant \[s\].
+    pub time_s: f64,
 }
 
 /// How a scene was integrated.

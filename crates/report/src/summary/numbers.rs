@@ -90,13 +90,14 @@ impl<'de> Deserialize<'de> for ErrorSummary {
 }
 
 impl ErrorSummary {
-    /// The errors of all numbers of a place; a drift that the place does not have has no error.
+    /// The errors of all numbers of a place; a drift that the place does not have, and a collapse or another event that is rare, have no error.
     pub(super) fn of(errors: &RunErrors, (all, place): (impl Iterator<Item = Quantity>, usize)) -> Self {
         let told = all.filter_map(|one| {
             let about = one.about();
             // JSON has no infinity.
             let error = errors.told(one, place).filter(|error| error.is_finite());
-            let is_written = about.error_name().is_some() && (error.is_some() || about.on_ground.is_none());
+            let is_rare = about.kind == QuantityKind::First && about.collision.is_none();
+            let is_written = about.error_name().is_some() && (error.is_some() || (about.on_ground.is_none() && !is_rare));
             is_written.then_some((one, error))
         });
         Self::in_order(told.collect())

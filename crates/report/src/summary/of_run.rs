@@ -4,11 +4,11 @@ use pounding_motion::Reading;
 use pounding_solver::Collision;
 
 use super::{
-    CollisionSummary, ErrorSummary, LedgerSummary, MethodSummary, Numbers, PairErrorSummary, PairSummary, ReadingSummary, RecordSummary,
-    SCHEMA_VERSION, StructureSummary, Summary, WorkSummary,
+    CollapseSummary, CollisionSummary, ErrorSummary, LedgerSummary, MethodSummary, Numbers, PairErrorSummary, PairSummary, ReadingSummary,
+    RecordSummary, SCHEMA_VERSION, StructureSummary, Summary, WorkSummary,
 };
 use crate::sampling::Sampling;
-use pounding_scene::{Errors, Floor, FloorQuantity, PairQuantity, QuantityGroup, Review, Simulation, Source};
+use pounding_scene::{Errors, Floor, FloorQuantity, PairQuantity, QuantityGroup, Review, RunResult, Simulation, Source};
 
 impl Summary {
     /// The summary of a run, with its errors if they are known.
@@ -22,11 +22,24 @@ impl Summary {
             structures: StructureSummary::of_run(prepared, review),
             pairs: PairSummary::of_run(prepared, review),
             effects: None,
+            collapse: CollapseSummary::of_run(prepared, &review.outcome),
             ledger: LedgerSummary::of(&review.balance),
             work: WorkSummary::of(&review.outcome.work),
             unusual: prepared.doubts(),
             warnings: review.notices(),
         }
+    }
+}
+
+impl CollapseSummary {
+    /// The collapse that ended a run; `None` if all storeys stand.
+    pub fn of_run(prepared: &Simulation, outcome: &RunResult) -> Option<Self> {
+        let collapse = outcome.collapse?;
+        Some(Self {
+            structure: prepared.floors().structures()[collapse.structure].clone(),
+            storey: collapse.storey,
+            time_s: collapse.time_s,
+        })
     }
 }
 

@@ -34,6 +34,7 @@ fn touches(scene: &Scene, pair: usize, gap: f64) -> bool {
         law: ContactLaw::Stereomechanical(Stereomechanical { restitution: 0.5 }),
         levels: None,
         heights_m: None,
+        seat_width_m: None,
         column_shape: pounding_scene::ColumnShape::Fixed,
         property: Property::default(),
     };
@@ -76,6 +77,7 @@ fn issue_what_stays_open_is_no_sample() {
             law,
             levels: None,
             heights_m: None,
+            seat_width_m: None,
             column_shape: pounding_scene::ColumnShape::Fixed,
             property: Property::default(),
         };
@@ -123,6 +125,7 @@ fn limit_the_width_is_that_of_structures_alone() {
             law,
             levels: None,
             heights_m: None,
+            seat_width_m: None,
             column_shape: pounding_scene::ColumnShape::Fixed,
             property: Property::default(),
         };

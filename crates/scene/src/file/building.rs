@@ -94,7 +94,8 @@ struct StoreyFile {
     isolator_damping_n_s_per_m: Option<f64>,
     /// Displacement that the isolators bear \[m\], > 0; by default it is not judged.
     displacement_capacity_m: Option<f64>,
-    /// Whether the lowest storey stands for isolators, which have no limits of columns. By default `check` asks if it looks like them.
+    /// Whether the lowest storey stands for isolators, which have no limits of columns; `isolator` says it with their own loop and damping. By
+    /// default `check` asks if it looks like them.
     isolation_layer: Option<bool>,
     /// Drift over `height_m` that the columns bear \[–\], > 0; by default that of ductile construction, 0.025 and a ductility of 6.
     drift_capacity_ratio: Option<f64>,

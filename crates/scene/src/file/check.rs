@@ -60,6 +60,10 @@ impl Scene {
             return Err(found.help("describe it as the last of `structures` instead"));
         }
         check_budget(self)?;
+        if let Some(ratio) = self.collapse_drift_ratio {
+            let valid = ratio > 0.0 && ratio <= 1.0;
+            require(valid, "collapse_drift_ratio", ratio, "a number > 0 and <= 1")?;
+        }
         self.check_method()?;
         check_contacts(self)?;
         check_arrivals(self)
@@ -206,6 +210,9 @@ fn check_contacts(scene: &Scene) -> Result<(), Refused> {
             contact.gap_m,
             NOT_NEGATIVE,
         )?;
+        if let Some(width) = contact.seat_width_m {
+            require(width > 0.0, format_args!("contacts[{index}].seat_width_m"), width, POSITIVE)?;
+        }
         contact.law.check().map_err(|error| {
             let place = format!("contacts[{index}].law.{}.{}", contact.law.name(), error.parameter);
             out_of_range(place, error.found, error.allowed)

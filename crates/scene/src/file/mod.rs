@@ -70,6 +70,9 @@ pub struct Scene {
     /// Whether the weight of the masses acts on leaning storeys (P-Δ), besides `gravity_load_n` of storeys, which always does.
     #[serde(default, skip_serializing_if = "Option::is_none", deserialize_with = "choice::maybe")]
     pub p_delta: Option<PDelta>,
+    /// Drift over the height of a storey \[–\], > 0 and ≤ 1, at which it counts as collapsed under gravity, and the run ends; 0.2 by default.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub collapse_drift_ratio: Option<f64>,
     /// One contact between each structure and its right neighbour; absent if the structures stand apart.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub contacts: Option<Vec<Contact>>,
@@ -292,6 +295,9 @@ pub struct Contact {
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[schemars(length(min = 1))]
     pub heights_m: Option<Vec<f64>>,
+    /// Width of the seat of the right floor on the left one \[m\], > 0: a floor that moves farther away is unseated. By default there is none.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub seat_width_m: Option<f64>,
     /// Shape of columns between floors, where a slab hits them.
     #[serde(default, skip_serializing_if = "ColumnShape::is_fixed", deserialize_with = "choice::one")]
     pub column_shape: ColumnShape,

@@ -48,6 +48,8 @@ pub enum ExcessKind {
     LeftOut,
     /// Shear force of a column that a slab hits \[N\]; 0 for impacts, which have no force.
     ColumnHit,
+    /// Ratio of the drift to the height of a storey that collapses under gravity \[–\].
+    Collapse,
     /// Drift of a storey of unknown height \[m\].
     Displacement,
     /// Stability coefficient P Δ/(V h) of a storey \[–\].
@@ -279,6 +281,8 @@ impl Simulation {
         let told = made_of.capacities;
         let ratio = made_of.height_m.map(|height| drift / height);
         let mut all = Vec::new();
+        let collapse = result.collapse.filter(|one| one.floor == floor);
+        all.extend(collapse.and(ratio).map(|ratio| (ExcessKind::Collapse, ratio, None)));
         all.extend(told.shear_capacity_n.map(|capacity| (ExcessKind::Shear, shear, Some(capacity))));
         all.extend(
             told.displacement_capacity_m
@@ -362,7 +366,7 @@ impl ExcessKind {
     /// General limit of the kind.
     fn most(self) -> f64 {
         match self {
-            Self::AtColumn | Self::BesideColumn | Self::AtFoot | Self::LeftOut | Self::ColumnHit => 0.0,
+            Self::AtColumn | Self::BesideColumn | Self::AtFoot | Self::LeftOut | Self::ColumnHit | Self::Collapse => 0.0,
             Self::Displacement => MOST_UNKNOWN,
             Self::Stability => Excess::MOST_STABILITY[0],
             Self::Drift => Excess::MOST_DRIFT,
@@ -388,6 +392,7 @@ impl ExcessKind {
             | Self::AtFoot
             | Self::LeftOut
             | Self::ColumnHit
+            | Self::Collapse
             | Self::Stability
             | Self::Shear
             | Self::ResidualDrift
@@ -398,7 +403,10 @@ impl ExcessKind {
 
     /// Whether it is a drift or a force that the columns must bear. Effects of gravity and residual drifts follow from drifts.
     pub fn strains(self) -> bool {
-        matches!(self, Self::Displacement | Self::Drift | Self::Ductility | Self::Shear)
+        matches!(
+            self,
+            Self::Collapse | Self::Displacement | Self::Drift | Self::Ductility | Self::Shear
+        )
     }
 
     /// Whether something may touch without a contact in the model: a column, or floors of a level that is left out.
@@ -426,6 +434,7 @@ impl ExcessKind {
             Self::LeftOut => "may touch, and were not looked at".into(),
             Self::ColumnHit if found > 0.0 => format!("hit by a slab, with a shear force of {} kN", two_digits(1e-3 * found)),
             Self::ColumnHit => "hit by a slab".into(),
+            Self::Collapse => format!("collapses under gravity at a drift of {}", percent(found)),
             Self::Displacement => format!("drift of {} mm", short(1e3 * found)),
             Self::Stability => format!("stability coefficient of {}", short(found)),
             Self::Drift => format!("drift of {}", percent(found)),

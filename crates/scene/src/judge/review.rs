@@ -92,6 +92,7 @@ impl Simulation {
         let asked = Extras {
             interval,
             closings: true,
+            reversed_closings: true,
             drift_rates: true,
             ..Extras::default()
         };
@@ -103,6 +104,7 @@ impl Simulation {
         if let Some(broken) = broken {
             warnings.push(self.told(broken)?);
         }
+        warnings.extend(self.passed(&outcome));
         let errors = if matches!(self.method(), Method::Exact { .. }) {
             warnings.extend(self.warnings_before(&outcome));
             if is_broken { Errors::Doubtful } else { Errors::Exact }
@@ -229,6 +231,30 @@ impl Simulation {
             steps,
             restitution,
         })
+    }
+
+    /// What the motion of a run passes: unstable equilibria of storeys under gravity, and ends of seats.
+    pub fn passed(&self, outcome: &RunResult) -> Vec<Warning> {
+        let floors = self.floors().all().iter().enumerate();
+        let unstable = floors.filter_map(|(floor, one)| {
+            Some(Warning::Unstable {
+                name: one.name.clone(),
+                drift: one.made_of?.unstable_drift_m()?,
+                time: outcome.peaks.of(floor).unstable?,
+                collapses: outcome.collapse.is_some_and(|collapse| collapse.floor == floor),
+            })
+        });
+        let contacts = self.scene().contacts.as_deref().unwrap_or_default();
+        let unseated = (0..self.floors().facing().len()).filter_map(|pair| {
+            let contact = self.contact(pair);
+            Some(Warning::Unseated {
+                contact,
+                names: self.names(pair),
+                width: contacts.get(contact)?.seat_width_m?,
+                time: outcome.widening(self, pair)?.unseated?,
+            })
+        });
+        unstable.chain(unseated).collect()
     }
 
     /// Warns about slow touches under a law whose damper grows with 1/v₀, for a run with known approach speeds.

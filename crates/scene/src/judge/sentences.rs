@@ -31,6 +31,10 @@ impl Excess {
         match self.kind {
             ExcessKind::AtColumn | ExcessKind::BesideColumn | ExcessKind::AtFoot | ExcessKind::LeftOut => String::new(),
             ExcessKind::ColumnHit => column_hit(found, self.capacity),
+            ExcessKind::Collapse => format!(
+                "its storey collapses under gravity: its drift passes {} of its height, and the run ends there (collapse_drift_ratio)",
+                percent(found)
+            ),
             ExcessKind::Displacement if self.capacity.is_some() => format!(
                 "displacement of {} mm of its isolators, above their capacity of {} mm: they may tear, stiffen or slide off, which the model \
                  leaves out",

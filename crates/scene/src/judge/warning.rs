@@ -7,7 +7,7 @@ use pounding_solver::LedgerError;
 
 use crate::judge::limits::MethodLimits;
 use crate::{DeliveredRestitution, Quantity, QuantityGroup, QuantityKind};
-use pounding_text::digits;
+use pounding_text::{digits, short};
 
 /// A warning about a run.
 #[derive(Debug, Clone, PartialEq)]
@@ -79,6 +79,28 @@ pub enum Warning {
         /// Number of these touches.
         count: usize,
     },
+    /// A storey passes its unstable equilibrium under gravity.
+    Unstable {
+        /// Name of the floor above it.
+        name: String,
+        /// Drift of the equilibrium \[m\].
+        drift: f64,
+        /// First instant \[s\].
+        time: f64,
+        /// Whether the storey collapses in the run.
+        collapses: bool,
+    },
+    /// A floor leaves its seat.
+    Unseated {
+        /// Index of the contact in the scene.
+        contact: usize,
+        /// Names of its floors.
+        names: [String; 2],
+        /// Width of the seat \[m\].
+        width: f64,
+        /// First instant \[s\].
+        time: f64,
+    },
     /// The errors are not known, because the exact run fails.
     ErrorUnknown,
 }
@@ -111,7 +133,7 @@ impl Warning {
             }
             Self::Error { quantity, .. } => asked == *quantity,
             // It concerns the model, which every method shares.
-            Self::SlowTouches { .. } => false,
+            Self::SlowTouches { .. } | Self::Unstable { .. } | Self::Unseated { .. } => false,
         }
     }
 }
@@ -171,9 +193,45 @@ impl fmt::Display for Warning {
                      which grows with 1/v₀, is not defined; they count as {SLOWEST_APPROACH} m/s"
                 )
             }
+            Self::Unstable {
+                name,
+                drift,
+                time,
+                collapses,
+            } => unstable(name, [*drift, *time], *collapses, to),
+            Self::Unseated {
+                contact,
+                names,
+                width,
+                time,
+            } => unseated(*contact, names, [*width, *time], to),
             Self::ErrorUnknown => write!(to, "the exact run fails, so that no error is known"),
         }
     }
+}
+
+/// Describes a storey that passes its unstable equilibrium at a drift \[m\] and an instant \[s\].
+fn unstable(name: &str, [drift, time]: [f64; 2], collapses: bool, to: &mut Formatter<'_>) -> fmt::Result {
+    let after = if collapses {
+        "nothing brought it back"
+    } else {
+        "shaking, the floors above or neighbours brought it back, or may still do so"
+    };
+    write!(
+        to,
+        "{name}: its storey passes its unstable equilibrium, a drift of {} mm, at t = {time:.4} s: from there gravity alone brings it down; {after}",
+        short(1e3 * drift)
+    )
+}
+
+/// Describes a floor that leaves a seat of a width \[m\] at an instant \[s\].
+fn unseated(contact: usize, [left, right]: &[String; 2], [width, time]: [f64; 2], to: &mut Formatter<'_>) -> fmt::Result {
+    write!(
+        to,
+        "contacts[{contact}] ({left} – {right}): unseated at t = {time:.4} s, where {right} has moved {} mm away from {left}, the width of its seat: it \
+         may fall, which the model leaves out",
+        short(1e3 * width)
+    )
 }
 
 /// Describes an exact run with unexplained energy.

@@ -70,6 +70,12 @@ quantities! {
     #[serde(skip_deserializing)]
     MassDampingRatio("mass_damping_ratio", "Damping ratio of the mass-proportional damping at the period of the secant stiffnesses; of a building, with its lowest storey.") =
         QuantityEntry::new(&Unit::PART, "Mass damping", |run, floor| Some(run.mass_damping(floor)?.ratio));
+    UnstableS("unstable_s", "First instant at which the drift of the storey passes its unstable equilibrium under gravity.") =
+        QuantityEntry::new(&Unit::SECOND, "Unstable", |run, floor| run.peaks(floor)?.unstable)
+            .kind(QuantityKind::First).measured(QuantityGroup::Time, "unstable equilibrium");
+    CollapseS("collapse_s", "Instant at which the storey collapses under gravity, which ends the run.") =
+        QuantityEntry::new(&Unit::SECOND, "Collapse", |run, floor| Some(run.result.collapse.filter(|one| one.floor == floor)?.time_s))
+            .kind(QuantityKind::First).measured(QuantityGroup::Time, "collapse");
     TransferredMomentumNS("transferred_momentum_n_s", "Sum of the impulses from the neighbours, by magnitude.") = QuantityEntry {
         least: |run, _| run.least_momentum(),
         ..QuantityEntry::new(&Unit::NEWTON_SECOND, "Transferred momentum", |run, floor| Some(run.result.momentum.of(floor)))

@@ -5,7 +5,7 @@ use pounding_text::{digits, rounded_down, short};
 use super::values::RunValues;
 use pounding_text::Unit;
 
-use super::{FloorQuantity, QuantityEntry, QuantityKind, quantities};
+use super::{QuantityEntry, QuantityKind, quantities};
 use crate::PairOutcome;
 use crate::QuantityGroup;
 
@@ -64,17 +64,24 @@ quantities! {
             .kind(QuantityKind::Total).measured(QuantityGroup::Time, "time of touching")
     };
     LeastOpeningM("least_opening_m", "Least opening of the gap, 0 or less if they touch; coarse steps can pass below 0 between two nodes without a touch.") = QuantityEntry {
-        least: |run, pair| {
-            let pair = &run.simulation.pairs()[pair];
-            let [left, right] = [pair.left(), pair.right()].map(|floor| run.part_of(FloorQuantity::PeakDisplacementM, floor));
-            left.max(right)
-        },
+        least: |run, pair| run.least_of_openings(pair),
         text: opening,
         ..QuantityEntry::new(&Unit::METRE, "Least opening", |run, pair| Some(run.opening(pair)?.0))
             .kind(QuantityKind::Least).measured(QuantityGroup::Displacement, "least opening")
     };
     #[serde(skip_deserializing)]
     LeastOpeningTimeS("least_opening_time_s", "Instant of the least opening.") = QuantityEntry::instant(|run, pair| Some(run.opening(pair)?.1));
+    LargestOpeningM("largest_opening_m", "Largest opening of the gap.") = QuantityEntry {
+        least: |run, pair| run.least_of_openings(pair),
+        ..QuantityEntry::new(&Unit::METRE, "Largest opening", |run, pair| Some(run.simulation.pairs()[pair].gap() + run.widening(pair)?.distance))
+            .measured(QuantityGroup::Displacement, "largest opening")
+    };
+    #[serde(skip_deserializing)]
+    LargestOpeningTimeS("largest_opening_time_s", "Instant of the largest opening.") =
+        QuantityEntry::instant(|run, pair| Some(run.widening(pair)?.time));
+    UnseatedS("unseated_s", "First instant at which the right floor has moved farther from the left one than its seat is wide; only of contacts with a seat.") =
+        QuantityEntry::new(&Unit::SECOND, "Unseated", |run, pair| run.widening(pair)?.unseated)
+            .kind(QuantityKind::First).measured(QuantityGroup::Time, "loss of the seat");
 }
 
 /// Writes the least opening of a gap \[mm\], or by how much it is overrun.

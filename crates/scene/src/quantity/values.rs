@@ -2,9 +2,9 @@
 
 use std::sync::OnceLock;
 
-use pounding_solver::{Peak, StructurePeaks};
+use pounding_solver::{Peak, StructurePeaks, Widening};
 
-use super::{Quantity, QuantityKind};
+use super::{FloorQuantity, Quantity, QuantityKind};
 use crate::{Floor, MassDamping, PairOutcome, RunResult, Simulation};
 
 /// A run with its simulation: gives every [`Quantity`].
@@ -142,5 +142,17 @@ impl RunValues<'_> {
     /// Least opening of the gap of a pair \[m\] and its instant \[s\]; `None` if closings were not asked for.
     pub(crate) fn opening(&self, pair: usize) -> Option<(f64, f64)> {
         self.result.least_opening(self.simulation, pair, &self.pairs[pair])
+    }
+
+    /// How far the sides of a pair moved away from each other; `None` if openings were not asked for.
+    pub(crate) fn widening(&self, pair: usize) -> Option<Widening> {
+        self.result.widening(self.simulation, pair)
+    }
+
+    /// Least magnitude of an opening in a relative error \[m\]: a part of the larger peak displacement of both floors.
+    pub(crate) fn least_of_openings(&self, pair: usize) -> f64 {
+        let pair = &self.simulation.pairs()[pair];
+        let [left, right] = [pair.left(), pair.right()].map(|floor| self.part_of(FloorQuantity::PeakDisplacementM, floor));
+        left.max(right)
     }
 }

@@ -1,6 +1,7 @@
 //! From a checked scene to the leanest model, and its run.
 
 mod advice;
+mod collapse;
 pub(crate) mod dampers;
 pub(crate) mod floors;
 mod model;
@@ -24,6 +25,7 @@ use pounding_text::Refused;
 
 pub use advice::{Advice, Goal, MethodTrial, QuantityGroup, StepSizes};
 
+pub use collapse::Collapse;
 pub use pair_outcome::PairOutcome;
 pub use run::{AuditedRun, EnergyBalance, Extras, RunResult};
 

@@ -1,6 +1,6 @@
 //! Summary of the collisions of one pair: its printed numbers.
 
-use pounding_solver::{Closing, Collision, Peak};
+use pounding_solver::{Closing, Collision, Peak, Widening};
 
 use super::{RunResult, Simulation};
 
@@ -111,6 +111,16 @@ impl RunResult {
             None => closings.of(model.left()),
         };
         Some(found.least_opening(model.gap(), closing))
+    }
+
+    /// How far the sides of a pair moved away from each other. `None` if openings were not recorded.
+    pub(crate) fn widening(&self, simulation: &Simulation, pair: usize) -> Option<Widening> {
+        let closings = self.closings.as_ref()?;
+        let facing = simulation.floors().facing().get(pair);
+        match facing.and_then(|one| one.column) {
+            Some(column) => closings.widening_of_column(column),
+            None => closings.widening(simulation.pairs()[pair].left()),
+        }
     }
 
     /// Sums up the collisions of a pair.

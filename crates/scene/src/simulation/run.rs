@@ -4,16 +4,13 @@ use std::ops::Range;
 
 use pounding_solver::{
     BesideColumn, Clock, Closings, Collisions, DriftRates, Excitation, FloorAccelerations, Histories, Integrator, LastStates, Ledger,
-    LedgerError, OnRow, Opening, Pair, Peak, Peaks, Recorders, RunError, Terms, TransferredMomentum, Travel, Work,
+    LedgerError, OnRow, Opening, Pair, Peak, Peaks, Recorder, Recorders, RunError, Terms, TransferredMomentum, Travel, Work,
 };
 
 use super::Simulation;
 use crate::settings::out_of_range;
-use crate::{ColumnBeside, Error, Floor, Method, Structure};
-use pounding_text::{RefusalKind, Refused, digits, percent, short};
-
-/// Drift ratio at which a storey under gravity counts as fallen \[–\]. A convention: no column stands there.
-const FALLEN: f64 = 0.2;
+use crate::{Collapse, ColumnBeside, Error, Method, Structure};
+use pounding_text::{RefusalKind, Refused, digits, short};
 
 /// Number of looks at a motion in the shortest natural period, unless its series allows fewer; see [`Closings`].
 const LOOKS_PER_PERIOD: f64 = 200.0;
@@ -37,6 +34,8 @@ pub struct RunResult {
     pub drift_rates: Option<DriftRates>,
     /// Histories of every structure; `None` if they were not asked for.
     pub histories: Option<Histories>,
+    /// The collapse that ended the run before its duration; `None` if all storeys stand.
+    pub collapse: Option<Collapse>,
     /// Work of the run.
     pub work: Work,
 }
@@ -70,7 +69,7 @@ pub struct Extras {
     pub interval: Option<f64>,
     /// Largest closing between neighbours.
     pub closings: bool,
-    /// Largest closing under mirrored shaking; see [`Closings::both_ways`].
+    /// Largest opening between neighbours, which is the closing under mirrored shaking; see [`Closings::both_ways`].
     pub reversed_closings: bool,
     /// Peak drift rates, from which the forces of dampers follow.
     pub drift_rates: bool,
@@ -81,16 +80,17 @@ impl Extras {
     pub const COMPARED: Self = Self {
         interval: None,
         closings: true,
-        reversed_closings: false,
+        reversed_closings: true,
         drift_rates: false,
     };
 }
 
-impl RunResult {
+impl Simulation {
     /// Takes the results from recorders.
-    fn of(recorders: Recorders<'_, '_>, work: Work) -> Self {
+    fn result(&self, recorders: Recorders<'_, '_>, work: Work) -> RunResult {
         let accelerations = recorders.accelerations.map(FloorAccelerations::into_peaks);
-        Self {
+        RunResult {
+            collapse: recorders.peaks.fallen().map(|fallen| self.collapse(fallen)),
             peaks: recorders.peaks,
             collisions: recorders.collisions,
             momentum: recorders.momentum,
@@ -148,7 +148,7 @@ impl Simulation {
         recorders.ledger = Some(&mut ledger);
         let work = self.integrate(&mut recorders)?;
         Ok(AuditedRun {
-            outcome: RunResult::of(recorders, work),
+            outcome: self.result(recorders, work),
             broken: ledger.verdict().err().map(|source| self.broke(source)),
             balance: EnergyBalance {
                 terms: ledger.terms(),
@@ -166,7 +166,7 @@ impl Simulation {
     pub fn run_unjudged(&self, asked: Extras) -> Result<RunResult, Error> {
         let mut recorders = self.recorders(asked);
         let work = self.integrate(&mut recorders)?;
-        Ok(RunResult::of(recorders, work))
+        Ok(self.result(recorders, work))
     }
 
     /// Records a run that `run` makes in another way than the scene's method, with histories as in [`run`](Self::run).
@@ -183,7 +183,7 @@ impl Simulation {
             ..Extras::default()
         });
         let work = run(&mut recorders).map_err(|source| self.ended(source))?;
-        Ok(RunResult::of(recorders, work))
+        Ok(self.result(recorders, work))
     }
 
     /// Empty recorders of everything that was asked for.
@@ -192,7 +192,7 @@ impl Simulation {
         let duration = self.clock.time(self.clock.n_steps);
         let closings = || {
             if asked.reversed_closings {
-                self.closings().both_ways()
+                self.closings().both_ways().seated(self.seats())
             } else {
                 self.closings()
             }
@@ -213,11 +213,8 @@ impl Simulation {
         let mut recorders = Recorders::usual(self.floors.all().len(), self.pairs());
         recorders.collisions = recorders.collisions.travelled(self.travel());
         if self.floors.has_gravity() {
-            let of = |floor: &Floor| {
-                let made = floor.made_of;
-                made.map_or([0.0; 2], |made| [made.gravity_n_per_m, FALLEN * made.height_m.unwrap_or(0.0)])
-            };
-            recorders.peaks = recorders.peaks.under_gravity(self.floors.all().iter().map(of));
+            let floors = self.floors.all().iter();
+            recorders.peaks = recorders.peaks.under_gravity(floors.map(|floor| self.leaning(floor)));
         }
         recorders
     }
@@ -229,6 +226,13 @@ impl Simulation {
         let closings = Closings::new(self.walls(), look).travelled(self.travel());
         let columns = self.floors.beside_all_columns();
         closings.beside(columns.iter().map(|one| self.beside_column(one)).collect())
+    }
+
+    /// Left floors of the pairs with a seat, and its width \[m\].
+    fn seats(&self) -> impl Iterator<Item = (usize, f64)> {
+        let contacts = self.scene.contacts.as_deref().unwrap_or_default();
+        let facing = self.floors.facing().iter().filter(|one| one.column.is_none());
+        facing.filter_map(|one| Some((one.left, contacts[one.contact].seat_width_m?)))
     }
 
     fn beside_column(&self, one: &ColumnBeside) -> BesideColumn {
@@ -292,7 +296,7 @@ impl Simulation {
         };
         let clock = method.clock(self.duration());
         let work = self.run_by(&integrator, clock, &mut recorders)?;
-        Ok((RunResult::of(recorders, work), ledger))
+        Ok((self.result(recorders, work), ledger))
     }
 
     /// Runs the scene with another method for timing: with the recorders of printed numbers only, and without results.
@@ -366,20 +370,6 @@ impl Simulation {
     /// Describes in the words of the scene why a run ended early.
     pub(super) fn ended(&self, source: RunError) -> Error {
         let concerned = match source {
-            RunError::Fallen { structure, time } => {
-                let name = &self.floors.all()[structure].name;
-                let said = format!(
-                    "{name}: its storey collapses under gravity: at t = {time:.4} s its drift passes {} of its height, and no motion after that means \
-                     anything",
-                    percent(FALLEN)
-                );
-                let help = format!("duration_s = {:.2} gives what comes before", (100.0 * time).floor() / 100.0);
-                let refused = Refused::that(said).help(help);
-                return Error::Run {
-                    refused: self.said(refused, 0..0),
-                    source,
-                };
-            }
             RunError::Setting { setting, found, allowed } => {
                 let place = format!("method.{}.{setting}", self.scene.method.name());
                 return Error::in_scene(&self.scene.name, out_of_range(place, found, allowed));

@@ -61,7 +61,7 @@ fn issue_isolators_are_no_columns() {
     assert!(of_columns[..3].iter().all(|kind| found.contains(kind)), "{excesses:?}");
     let asked = untold.doubts().into_iter().filter(Implausible::is_of_row);
     let asked: Vec<String> = asked.map(|one| one.to_string()).collect();
-    insta::assert_snapshot!(asked.join("\n"), @"structures[1].building.storeys[0]: found a storey 6.1 times softer than the next, with a period of 2 s under the building, judged as columns, usual is `isolation_layer = true` if it stands for isolators, false if it does not");
+    insta::assert_snapshot!(asked.join("\n"), @"structures[1].building.storeys[0]: found a storey 6.1 times softer than the next, with a period of 2 s under the building, judged as columns, usual is `isolator`, or `isolation_layer = true`, if it stands for isolators, `isolation_layer = false` if it does not");
     let (told, excesses) = judged(&with(", isolation_layer = true", ""));
     assert!(!kinds(&excesses).iter().any(|kind| of_columns.contains(kind)), "{excesses:?}");
     assert!(!told.doubts().iter().any(Implausible::is_of_row));

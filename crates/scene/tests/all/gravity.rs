@@ -38,11 +38,8 @@ fn reference_the_velocity_above_which_a_storey_collapses() {
     };
     let below = drift(1.0 - 1e-9).expect("it turns");
     assert!(below < of("unstable_equilibrium_m"), "{below:?}");
-    let falls = drift(1.0 + 1e-9).expect_err("it falls").to_string();
-    assert!(
-        falls.contains("collapses under gravity: at t = ") && falls.contains("its drift passes 20 % of its height"),
-        "{falls}"
-    );
+    let above = drift(1.0 + 1e-9).expect("it falls, and the run ends there");
+    assert!((above / 0.6 - 1.0).abs() < 1e-9, "{above}");
     // The columns never give more than they bear; the ground gets less.
     let simulation = prepared(&storey(&inputs, 0.9 * of("critical_velocity")));
     let run = simulation.run(None).expect("it runs");

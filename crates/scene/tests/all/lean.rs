@@ -61,6 +61,7 @@ fn contact() -> impl Strategy<Value = Contact> {
         law,
         levels: None,
         heights_m: None,
+        seat_width_m: None,
         column_shape: pounding_scene::ColumnShape::Fixed,
         property: Property::Other,
     })
@@ -107,6 +108,7 @@ fn scene() -> impl Strategy<Value = (Scene, Vec<f64>)> {
             contacts,
             neighbour: None,
             p_delta: None,
+            collapse_drift_ratio: None,
             arrivals_s: None,
             floors: None,
             method,
@@ -128,10 +130,11 @@ fn bits(outcome: &RunResult) -> String {
         closings,
         drift_rates,
         histories,
+        collapse,
         work: _,
     } = outcome;
     format!(
-        "{peaks:?} {:?} {momentum:?} {accelerations:?} {last:?} {closings:?} {drift_rates:?} {histories:?}",
+        "{peaks:?} {:?} {momentum:?} {accelerations:?} {last:?} {closings:?} {drift_rates:?} {histories:?} {collapse:?}",
         collisions.all()
     )
 }

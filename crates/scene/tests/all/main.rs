@@ -3,6 +3,7 @@
 mod beside;
 mod capacities;
 mod certificates;
+mod collapse;
 mod errors;
 mod extremes;
 mod floors;
@@ -12,5 +13,6 @@ mod judged;
 mod lean;
 mod mirrored;
 mod numbers;
+mod openings;
 mod scene_files;
 mod spectrum;

@@ -18,6 +18,9 @@ use crate::{Flight, Path, Recorder, Relation, Span, State};
 /// Longest time between two samples, as a part of the reach of the series: a single piece covers it.
 pub const LONGEST: f64 = 0.999;
 
+/// Part of the drift at which a storey falls up to which it surely stands \[–\].
+const STANDS: f64 = 0.99;
+
 /// Free flights of the structures of a row between two samples.
 #[derive(Debug)]
 pub(super) struct Flights {
@@ -134,7 +137,8 @@ impl Leap {
         let (on, least) = (start.velocity * velocity, before.abs().min(acceleration.abs()));
         let one_way = before * acceleration > 0.0 && least > bow * (self.damping * jerk + self.stiffness * most);
         let known = (on > 0.0 && slowest > bow * jerk) || (on != 0.0 && one_way);
-        if !(known && held < member.limit) {
+        let farthest = start.displacement.abs().max(displacement.abs()) + bow * most;
+        if !(known && held < member.limit && farthest < STANDS * member.falls_at) {
             return None;
         }
         Some(Ahead {

@@ -74,6 +74,8 @@ pub(super) struct Member {
     pub(super) hysteretic_stiffness: f64,
     /// (1 − a) `f_y` \[N\].
     pub(super) limit: f64,
+    /// Drift at which the storey falls under gravity and ends the run \[m\]; infinite if it never does.
+    pub(super) falls_at: f64,
     /// Columns that yield smoothly.
     pub(super) bend: Option<Box<Bend>>,
     pub(super) branch: Branch,
@@ -145,6 +147,7 @@ impl Member {
             hardened_stiffness,
             hysteretic_stiffness,
             limit,
+            falls_at: f64::INFINITY,
             bend,
             branch: Branch::Elastic,
             line: LoadingLine::of(hysteretic_force, limit),

@@ -221,7 +221,12 @@ pub(crate) fn run<Column: Hysteretic, R: Recorder>(
         contact
     };
     let (initial, _) = row.initial(Ground::Common(0.0));
-    let members: Vec<_> = (0..n).map(|node| Member::new(row, node, &initial)).collect();
+    let member = |node: usize| {
+        let mut member = Member::new(row, node, &initial);
+        member.falls_at = recorder.falls_at(node);
+        member
+    };
+    let members: Vec<_> = (0..n).map(member).collect();
     let contacts: Vec<_> = row.pairs().iter().map(contact).collect();
     let system = System {
         members: &members,
@@ -277,12 +282,23 @@ impl<R: Recorder> ExactRun<'_, R> {
             }
             self.agenda.work.events += 1;
             self.land_all(time)?;
-            if let Some((structure, time)) = self.recorder.fallen() {
-                return Err(RunError::Fallen { structure, time });
+            if self.recorder.fallen().is_some() {
+                return self.end_at(time);
             }
             now = self.fly(time);
             self.go_on(now)?;
         }
+    }
+
+    /// Ends the run early: reports all motion until now.
+    fn end_at(&mut self, time: f64) -> Result<(), RunError> {
+        for first in 0..self.moving.bodies.len() {
+            if self.touching.groups.body_of[first] == first {
+                self.agenda.guard.wait(time)?;
+                self.land(first, time);
+            }
+        }
+        Ok(())
     }
 
     /// Gives a body the ground motion from an instant on; returns the time at which the next sample arrives at any of its nodes.

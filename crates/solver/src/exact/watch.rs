@@ -19,6 +19,8 @@ pub(super) enum Event {
     Yield(usize, Branch),
     /// The elastic part of the drift of a node with smooth columns changes sign.
     Cross(usize),
+    /// The storey of a node falls under gravity.
+    Fall,
     /// The net pounding force on a node changes sign.
     Balance(usize),
     /// The net pounding force on a node has an extremum.
@@ -198,7 +200,8 @@ impl<R: Recorder> ExactRun<'_, R> {
                     storey.still = true;
                 }
             }
-            Event::Cross(_) => {}
+            // The recorder sees the drift, and the run ends.
+            Event::Cross(_) | Event::Fall => {}
             Event::Yield(node, branch) => {
                 let member = &mut self.moving.members[node];
                 (member.branch, member.line) = (branch, LoadingLine::Shifted);
@@ -238,8 +241,14 @@ impl<R: Recorder> ExactRun<'_, R> {
     }
 }
 
-/// Searches for the instants at which the columns of a node turn, yield, or pass through zero.
+/// Searches for the instants at which the columns of a node turn, yield, pass through zero, or fall.
 fn watch_columns(watch: &mut Watch, node: usize, member: &Member, len: usize) {
+    if member.falls_at.is_finite() {
+        let drift = member.drift();
+        let beyond = |sign: f64| move |n: usize| sign * drift[n] - if n == 0 { member.falls_at } else { 0.0 };
+        watch.rise(len, beyond(1.0), Event::Fall);
+        watch.rise(len, beyond(-1.0), Event::Fall);
+    }
     if let Some(storey) = member.storey.as_ref().filter(|_| member.unloads()) {
         watch.change_of(len, false, |n| storey.rate[n], Event::TurnOfDrift(node));
     }

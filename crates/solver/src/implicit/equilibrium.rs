@@ -86,7 +86,7 @@ fn evaluate<Column: RestoringForce>(
     trial.scale = inertia.abs() + damping.abs() + restoring.abs() + ground.abs();
     trial.scale += trial.carried.abs();
     let (displacement, velocity) = extent(trial);
-    trial.rounding = ROUNDING * w * (trial.response.tangent * displacement + node.damping * velocity);
+    trial.rounding = ROUNDING * w * (trial.response.tangent.abs() * displacement + node.damping * velocity);
     trial.diagonal = slopes.inertia + w * (node.damping * slopes.velocity + trial.response.tangent * slopes.displacement);
     (trial.lower, trial.upper) = (0.0, 0.0);
     (trial.force_from_left, trial.force_from_right) = (0.0, 0.0);
@@ -118,7 +118,7 @@ fn stand<Column: RestoringForce>(
     let damping = node.damping * (trial.velocity - below.velocity);
     let tangent = node.damping * slopes.velocity + stiffness * slopes.displacement;
     let (extent, extent_below) = (extent(trial), extent(below));
-    let rounding = |(displacement, velocity): (f64, f64)| ROUNDING * (stiffness * displacement + node.damping * velocity);
+    let rounding = |(displacement, velocity): (f64, f64)| ROUNDING * (stiffness.abs() * displacement + node.damping * velocity);
     below.residual -= w_below * (restoring + damping);
     let both = rounding(extent) + rounding(extent_below);
     below.push(w_below, restoring.abs() + damping.abs(), tangent, both);

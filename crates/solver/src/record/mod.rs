@@ -12,7 +12,7 @@ pub(crate) mod recorder;
 mod recorders;
 mod transferred_momentum;
 
-pub use closings::{BesideColumn, Closing, Closings};
+pub use closings::{BesideColumn, Closing, Closings, Widening};
 pub use collisions::is_plastic;
 pub use collisions::{Collision, Collisions};
 pub use drift_rates::DriftRates;
@@ -20,6 +20,6 @@ pub use floor_accelerations::FloorAccelerations;
 pub use histories::{Histories, History};
 pub use last_states::LastStates;
 pub use ledger::{Laws, Ledger, LedgerError, PairTerms, Terms};
-pub use peaks::{Peak, Peaks, StructurePeaks};
+pub use peaks::{Leaning, Peak, Peaks, StructurePeaks};
 pub use recorders::Recorders;
 pub use transferred_momentum::TransferredMomentum;

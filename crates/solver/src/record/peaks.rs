@@ -31,12 +31,34 @@ pub struct StructurePeaks {
     pub restoring_force: Peak,
     /// Net pounding force \[N\]; 0 for impulsive contact.
     pub pounding_force: Peak,
-    /// Weight over the height of the storey P/h \[N/m\], 0 without gravity, which the restoring force has taken off.
-    gravity: f64,
+    /// Gravity on the storey, which the restoring force has taken off.
+    leaning: Leaning,
     /// Restoring force plus P/h times the drift \[N\].
     with_gravity: Peak,
-    /// Drift at which the storey under gravity counts as fallen \[m\].
-    falls_at: f64,
+    /// First instant at which the drift passes the unstable equilibrium \[s\]; `None` if it never does, or if there is none.
+    pub unstable: Option<f64>,
+}
+
+/// Gravity on a storey.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Leaning {
+    /// Weight over the height of the storey P/h \[N/m\], ≥ 0.
+    pub lost: f64,
+    /// Drift beyond which gravity pulls more than the columns can hold \[m\], > 0; infinite if they can always hold it.
+    pub unstable_at: f64,
+    /// Drift at which the storey counts as fallen, which ends the run \[m\], > 0; infinite if it never does.
+    pub falls_at: f64,
+}
+
+impl Default for Leaning {
+    /// A storey without gravity.
+    fn default() -> Self {
+        Self {
+            lost: 0.0,
+            unstable_at: f64::INFINITY,
+            falls_at: f64::INFINITY,
+        }
+    }
 }
 
 impl StructurePeaks {
@@ -47,7 +69,7 @@ impl StructurePeaks {
 
     /// Force of the columns \[N\]: the restoring force without what gravity takes off.
     pub fn column_force(&self) -> Peak {
-        if self.gravity > 0.0 {
+        if self.leaning.lost > 0.0 {
             self.with_gravity
         } else {
             self.restoring_force
@@ -55,12 +77,24 @@ impl StructurePeaks {
     }
 
     fn take(&mut self, state: &State, drift: f64, time: f64) {
-        if self.gravity > 0.0 {
-            self.with_gravity.take(state.restoring_force + self.gravity * drift, time);
+        if self.leaning.lost > 0.0 {
+            self.with_gravity.take(state.restoring_force + self.leaning.lost * drift, time);
         }
         self.displacement.take(state.displacement, time);
         self.restoring_force.take(state.restoring_force, time);
         self.pounding_force.take(state.pounding_force(), time);
+    }
+
+    /// Looks at the drift of a storey under gravity, with the peaks of the span; returns the instant at which the storey falls.
+    fn lean(&mut self, span: &Span<'_>) -> Option<f64> {
+        let Leaning { unstable_at, falls_at, .. } = self.leaning;
+        let peak = self.drift();
+        let reached = peak.value.abs();
+        let first = |drift: f64| (reached >= (1.0 - ROUNDING) * drift).then(|| span.first_beyond(drift.min(reached), peak.time));
+        if self.unstable.is_none() {
+            self.unstable = first(unstable_at);
+        }
+        first(falls_at)
     }
 
     /// Updates the peaks with the drifts of a storey on another floor.
@@ -104,10 +138,10 @@ impl StructurePeaks {
         beyond(displacement(0), reach(terms.map(displacement), x), self.displacement)
             || beyond(drift(0), changes, self.drift())
             || beyond(force, tangent.abs() * changes + bent, self.restoring_force)
-            || (self.gravity > 0.0
+            || (self.leaning.lost > 0.0
                 && beyond(
-                    force + self.gravity * drift(0),
-                    (tangent.abs() + self.gravity) * changes + bent,
+                    force + self.leaning.lost * drift(0),
+                    (tangent.abs() + self.leaning.lost) * changes + bent,
                     self.with_gravity,
                 ))
     }
@@ -123,9 +157,9 @@ impl StructurePeaks {
         let ends = span.drifts().map(|drift| drift.displacement);
         if beyond(drift.displacement, ends) {
             self.restoring_force.take(state.restoring_force, time);
-            if self.gravity > 0.0 {
+            if self.leaning.lost > 0.0 {
                 self.with_gravity
-                    .take(state.restoring_force + self.gravity * drift.displacement, time);
+                    .take(state.restoring_force + self.leaning.lost * drift.displacement, time);
             }
             if span.below.is_some() {
                 let peak = self.storey_drift.get_or_insert_default();
@@ -159,12 +193,11 @@ impl Peaks {
         }
     }
 
-    /// Also records the force of columns under gravity, and ends the run when a storey has fallen. Every node has P/h \[N/m\], ≥ 0, and the
-    /// drift at which its storey counts as fallen \[m\], which matters only if P/h > 0.
+    /// Also records what gravity does to the storey of every node, and ends the run when a storey has fallen.
     #[must_use]
-    pub fn under_gravity(mut self, storeys: impl IntoIterator<Item = [f64; 2]>) -> Self {
-        for (peaks, [gravity, falls_at]) in self.structures.iter_mut().zip(storeys) {
-            (peaks.gravity, peaks.falls_at) = (gravity, falls_at);
+    pub fn under_gravity(mut self, storeys: impl IntoIterator<Item = Leaning>) -> Self {
+        for (peaks, leaning) in self.structures.iter_mut().zip(storeys) {
+            peaks.leaning = leaning;
         }
         self
     }
@@ -175,9 +208,16 @@ impl Peaks {
     }
 }
 
+/// Part of its drift that a storey may lack when it counts as fallen \[–\]: the exact method ends a piece at this drift up to rounding.
+const ROUNDING: f64 = 1e-12;
+
 impl Recorder for Peaks {
     fn fallen(&self) -> Option<(usize, f64)> {
         self.fallen
+    }
+
+    fn falls_at(&self, structure: usize) -> f64 {
+        self.structures[structure].leaning.falls_at
     }
 
     #[inline]
@@ -202,12 +242,13 @@ impl Recorder for Peaks {
             }
             Path::Cubic(_) | Path::Flight(_) => {}
         }
-        if peaks.gravity > 0.0 && last.abs() > peaks.falls_at && self.fallen.is_none() {
-            self.fallen = Some((span.structure, span.end_time));
-        }
         peaks.take(&span.end, last, span.end_time);
         if span.below.is_some() {
             peaks.take_drifts(span);
+        }
+        if peaks.leaning.lost > 0.0 {
+            let falls = peaks.lean(span);
+            self.fallen = self.fallen.or(falls.map(|time| (span.structure, time)));
         }
     }
 

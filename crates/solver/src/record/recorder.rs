@@ -140,6 +140,11 @@ pub trait Recorder {
     fn fallen(&self) -> Option<(usize, f64)> {
         None
     }
+
+    /// Drift at which the storey of a floor counts as fallen \[m\]; infinite if it never does.
+    fn falls_at(&self, _structure: usize) -> f64 {
+        f64::INFINITY
+    }
 }
 
 impl Span<'_> {
@@ -191,6 +196,10 @@ impl<R: Recorder> Recorder for &mut R {
     #[inline]
     fn fallen(&self) -> Option<(usize, f64)> {
         (**self).fallen()
+    }
+
+    fn falls_at(&self, structure: usize) -> f64 {
+        (**self).falls_at(structure)
     }
 
     #[inline]

@@ -66,6 +66,10 @@ impl Recorder for Recorders<'_, '_> {
         self.peaks.fallen()
     }
 
+    fn falls_at(&self, structure: usize) -> f64 {
+        self.peaks.falls_at(structure)
+    }
+
     fn span(&mut self, span: &Span<'_>) {
         self.all().span(span);
     }

@@ -9,7 +9,7 @@ use super::form::{Form, Summed};
 use super::octaves::Octaves;
 use super::tally::{CellTally, ColumnTally, Tally};
 use crate::column::SweepColumn;
-use crate::output::is_of_all;
+use crate::output::{collapse_column, is_of_all};
 
 /// Value of `column` for counts of runs.
 const RUN: &str = "run";
@@ -202,6 +202,11 @@ impl SummaryTable {
         self.tally.n_failed()
     }
 
+    /// Number of runs that end in a collapse, which are no failures; `None` if gravity acts on no storey.
+    pub fn n_collapsed(&self) -> Option<u64> {
+        collapsed(&self.tally.whole(&self.form), &self.form)
+    }
+
     /// Number of cells with runs.
     pub fn n_cells(&self) -> usize {
         self.tally.cells.len()
@@ -271,8 +276,15 @@ fn of_runs(cell: &CellTally, form: &Form) -> Vec<SummaryLine> {
         value: Some(count as f64),
         bounds: None,
     };
+    let collapsed = collapsed(cell, form).map(|count| ("collapsed", count));
     let samples = form.events.as_ref().map(|_| ("samples", cell.samples(form)));
-    counts.into_iter().chain(samples).map(line).collect()
+    counts.into_iter().chain(collapsed).chain(samples).map(line).collect()
+}
+
+/// Number of runs that end in a collapse, which are no failures; `None` if gravity acts on no storey.
+fn collapsed(cell: &CellTally, form: &Form) -> Option<u64> {
+    let column = form.columns.iter().position(|of| of.name == collapse_column())?;
+    Some(cell.columns[column].numbers.count())
 }
 
 /// Exceedances of each threshold; a run without the number does not exceed it. Empty if no run of the sweep has the number, or all runs of

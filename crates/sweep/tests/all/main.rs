@@ -3,6 +3,7 @@
 mod accuracy;
 mod alone;
 mod checked;
+mod collapses;
 mod motions;
 mod parts;
 mod towers;

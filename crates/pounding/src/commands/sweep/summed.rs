@@ -11,8 +11,10 @@ const MOST: usize = 12;
 const MOST_CELLS: usize = 40;
 const MOST_ROWS: usize = 40;
 
-/// The failures, the cells, and the columns without numbers.
-pub(super) fn facts(summary: &SummaryTable) -> [Option<String>; 3] {
+/// The failures, the collapses, the cells, and the columns without numbers.
+pub(super) fn facts(summary: &SummaryTable) -> [Option<String>; 4] {
+    let collapsed = summary.n_collapsed().filter(|n| *n > 0);
+    let collapsed = collapsed.map(|n| format!("{n} of {} runs end there; their numbers are those until then", summary.n_runs()));
     let failed = summary.first_failed().map(|(run, reason)| format!("run {run}: {reason}"));
     let (n_cells, by) = (summary.n_cells(), summary.by());
     let cells = match n_cells {
@@ -24,7 +26,12 @@ pub(super) fn facts(summary: &SummaryTable) -> [Option<String>; 3] {
     };
     let without = summary.without_numbers();
     let without = (!without.is_empty()).then(|| format!("no run has {}", without.join(", ")));
-    [fact("Failed", failed), fact("Cells", cells), fact("Without", without)]
+    [
+        fact("Failed", failed),
+        fact("Collapse", collapsed),
+        fact("Cells", cells),
+        fact("Without", without),
+    ]
 }
 
 /// Adds a few numbers of every column.

@@ -62,7 +62,7 @@ fn ask_for_isolators(index: usize, building: &Building, doubts: &mut Doubts) {
             two_digits(softer),
             two_digits(period)
         ),
-        "`isolation_layer = true` if it stands for isolators, false if it does not",
+        "`isolator`, or `isolation_layer = true`, if it stands for isolators, `isolation_layer = false` if it does not",
     );
 }
 

@@ -1,6 +1,6 @@
 //! Gravity on leaning storeys (P-Δ): the weight above a storey over its height is a stiffness that every branch of its columns loses.
 
-use pounding_text::{Refused, short};
+use pounding_text::{Refused, digits, short};
 
 use crate::{Capacities, Columns, PDelta, Scene, StoreyProperties, Structure};
 
@@ -44,7 +44,11 @@ pub(super) fn check(scene: &Scene) -> Result<(), Refused> {
         match structure {
             Structure::Sdof(sdof) => {
                 let own = weight(scene, sdof.mass_kg, &sdof.capacities);
-                check_storey(&format!("structures[{index}].sdof"), own, sdof.height_m, &sdof.columns())?;
+                let place = format!("structures[{index}].sdof");
+                check_storey(&place, own, sdof.height_m, &sdof.columns())?;
+                if own > 0.0 {
+                    check_start(scene, &place, sdof.initial_displacement_m, sdof.height_m)?;
+                }
             }
             Structure::Building(building) => {
                 let mut above = 0.0;
@@ -54,12 +58,32 @@ pub(super) fn check(scene: &Scene) -> Result<(), Refused> {
                     // Isolators without a height have what their own loop gives.
                     let leans = one.capacities.isolation_layer != Some(true) || one.height_m.is_some();
                     check_storey(&place, if leans { above } else { 0.0 }, one.height_m, &one.columns)?;
+                    if above > 0.0 && one.capacities.isolation_layer != Some(true) {
+                        let below = storey
+                            .checked_sub(1)
+                            .map_or(0.0, |below| building.storeys[below].initial_displacement_m);
+                        check_start(scene, &place, one.initial_displacement_m - below, one.height_m)?;
+                    }
                 }
             }
             Structure::Wall => {}
         }
     }
     Ok(())
+}
+
+/// Refuses a storey that begins at a drift \[m\] at which it has collapsed.
+fn check_start(scene: &Scene, place: &str, drift: f64, height: Option<f64>) -> Result<(), Refused> {
+    let most = height.map_or(f64::INFINITY, |height| scene.collapse_drift() * height);
+    if drift.abs() < most {
+        return Ok(());
+    }
+    let found = Refused::at(format!("{place}.initial_displacement_m")).found(format!("a drift of {} m", digits(drift)));
+    let found = found.allowed(format!(
+        "less than {} m, at which the storey has collapsed under gravity",
+        digits(most)
+    ));
+    Err(found.help("a smaller one, or a larger collapse_drift_ratio"))
 }
 
 fn check_storey(place: &str, weight: f64, height: Option<f64>, columns: &Columns) -> Result<(), Refused> {

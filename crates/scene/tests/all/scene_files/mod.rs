@@ -142,7 +142,7 @@ fn extreme_fields_of_wrong_type() {
     assert_snapshot!(refusal(&changed("record.file = \"record.csv\"", "record = \"record.csv\"")), @r#"scene.toml, line 3, column 10: record: found the text "record.csv", allowed is a table of fields"#);
     assert_snapshot!(refusal(&changed("[[contacts]]", "[contacts]")), @"scene.toml, line 22, column 1: contacts: found a table, allowed is a list");
     assert_snapshot!(refusal(&changed("gap_m = 0.03", "gap_m = true")), @"scene.toml, line 23, column 9: contacts[0].gap_m: found true, allowed is a number");
-    assert_snapshot!(refusal(&changed("gap_m = 0.03", "gab_m = 0.03")), @"scene.toml, line 23, column 1: contacts[0].gab_m: found the field `gab_m`, allowed are `gap_m`, `law`, `levels`, `heights_m`, `column_shape`, `property`; perhaps `gap_m` is meant");
+    assert_snapshot!(refusal(&changed("gap_m = 0.03", "gab_m = 0.03")), @"scene.toml, line 23, column 1: contacts[0].gab_m: found the field `gab_m`, allowed are `gap_m`, `law`, `levels`, `heights_m`, `seat_width_m`, `column_shape`, `property`; perhaps `gap_m` is meant");
     assert_snapshot!(refusal(&changed("gap_m = 0.03", "gap_m = 0,03")), @"scene.toml, line 23, column 10: found `0,03` with a decimal comma, allowed is a decimal point: `0.03`");
     assert_snapshot!(refusal(&changed("gap_m = 0.03", "gap_m = 0.03\ngap_m = 0.04")), @"scene.toml, line 24, column 1: not TOML: duplicate key");
     assert_snapshot!(refusal("structures: 2\n"), @"scene.toml, line 1, column 13: not TOML: key with no value, expected `=`");

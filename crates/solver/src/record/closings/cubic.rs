@@ -8,6 +8,7 @@
 use pounding_contact::Number;
 
 use super::Closing;
+use crate::roots::first_root;
 use crate::{Motion, Travel};
 
 /// Instant \[s\], displacement \[m\] and velocity \[m/s\].
@@ -68,6 +69,13 @@ impl Cubic {
             3.0 * rise - 2.0 * first - last,
             first + last - 2.0 * rise,
         ]
+    }
+
+    /// First instant above a value that the cubic exceeds \[s\].
+    pub(super) fn first_above(&self, value: f64) -> f64 {
+        let [u, a, b, c] = self.coefficients();
+        let s = first_root(&[u - value, a, b, c], 1.0);
+        self.start.time + s.unwrap_or(1.0) * self.duration()
     }
 
     fn at(&self, time: f64) -> Node {

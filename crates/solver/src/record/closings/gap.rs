@@ -5,9 +5,9 @@
 
 use std::collections::VecDeque;
 
-use super::Closing;
 use super::cubic::Cubic;
 use super::piece::Piece;
+use super::{Closing, Widening};
 
 /// The gap between two neighbours.
 #[derive(Debug, Clone, PartialEq)]
@@ -19,6 +19,10 @@ pub(super) struct Gap {
     pub(super) largest: Option<Closing>,
     /// Whether the gap is that under the mirrored shaking, which mirrors every motion.
     reversed: bool,
+    /// Closing whose first instant is wanted \[m\].
+    pub(super) passes: Option<f64>,
+    /// First instant at which the closing is larger \[s\].
+    passed: Option<f64>,
 }
 
 impl Gap {
@@ -32,6 +36,8 @@ impl Gap {
             weights: weights.to_vec(),
             largest: None,
             reversed: false,
+            passes: None,
+            passed: None,
         }
     }
 
@@ -41,6 +47,13 @@ impl Gap {
             reversed: true,
             ..self.clone()
         }
+    }
+
+    /// The largest closing as a widening of the gap whose motions it mirrors.
+    pub(super) fn widening(&self) -> Option<Widening> {
+        let Closing { distance, time } = self.largest?;
+        let unseated = self.passed;
+        Some(Widening { distance, time, unseated })
     }
 
     /// Weighted sum of the foremost motions until an instant.
@@ -125,6 +138,9 @@ impl Gap {
         let known = self.largest.map_or(f64::NEG_INFINITY, |one| one.distance);
         if highest.distance > known {
             self.largest = Some(highest);
+        }
+        if let Some(width) = self.passes.filter(|width| self.passed.is_none() && highest.distance > *width) {
+            self.passed = Some(closing.first_above(width));
         }
     }
 }

@@ -127,6 +127,7 @@ impl Alone<'_> {
             contacts: None,
             neighbour: None,
             p_delta: None,
+            collapse_drift_ratio: None,
             arrivals_s: None,
             ..prepared.scene().clone()
         };

@@ -10,7 +10,7 @@ use super::numbers::Numbers;
 use super::touch::SAME;
 use crate::listed::listed;
 use pounding_reference::Fineness;
-use pounding_scene::{AuditedRun, Error, Scene, Simulation};
+use pounding_scene::{AuditedRun, Collapse, Error, Scene, Simulation};
 use pounding_solver::{Pair, RunError};
 
 /// Energy residual of an exact run that is always allowed \[–\].
@@ -107,6 +107,15 @@ pub struct Checked {
     pub story: Vec<String>,
 }
 
+/// A scene that ends at a collapse, which the second route does not know: both are compared until then.
+fn until(scene: &Scene, collapse: Collapse) -> Scene {
+    Scene {
+        duration_s: Some(collapse.time_s),
+        collapse_drift_ratio: Some(1.0),
+        ..scene.clone()
+    }
+}
+
 impl Checked {
     /// A scene without numbers; they may be added later.
     pub(super) fn new(index: usize, scene: &Scene, verdict: Verdict, failure: Option<Failure>) -> Self {
@@ -143,6 +152,9 @@ impl Checked {
                 return failed(failure.verdict(), failure);
             }
         };
+        if let Some(collapse) = outcome.collapse {
+            return Self::run(index, &until(scene, collapse), base, begin, stop);
+        }
         begin(Stage::SecondRoute);
         let second = crate::second_route(&prepared, Fineness::FINE);
         let residual = residual(balance.residual);

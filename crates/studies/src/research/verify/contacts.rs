@@ -34,6 +34,7 @@ pub(super) fn all(random: &mut Random, structures: &[Structure]) -> Vec<Contact>
                 law,
                 levels,
                 heights_m: None,
+                seat_width_m: None,
                 column_shape: ColumnShape::default(),
                 property: Property::default(),
             },

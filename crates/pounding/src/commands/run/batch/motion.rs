@@ -1,7 +1,7 @@
 //! A run of the scene under one motion of a folder, for tables, sentences and programs.
 
 use pounding::assess::{Effects, MotionLine};
-use pounding::report::{CollisionSummary, MotionRow, PairSummary, Site, SitedNumber, StructureSummary, UnderMotion};
+use pounding::report::{CollapseSummary, CollisionSummary, MotionRow, PairSummary, Site, SitedNumber, StructureSummary, UnderMotion};
 use pounding::scene::{
     Errors, Excess, FloorQuantity, Floors, Implausible, PairOutcome, PairQuantity, Quantity, QuantityGroup, QuantityKind, Review, Scene,
     Simulation,
@@ -22,6 +22,8 @@ pub(super) struct RunUnderMotion {
     doubts: Vec<Implausible>,
     excesses: Vec<Excess>,
     pub(super) warnings: Vec<String>,
+    /// The collapse that ended the run, if there is one.
+    collapse: Option<CollapseSummary>,
     /// The collisions of all pairs.
     pub(super) all: PairOutcome,
     structures: Vec<StructureSummary>,
@@ -46,6 +48,7 @@ impl RunUnderMotion {
             doubts: prepared.doubts(),
             excesses: review.excesses.clone(),
             warnings: review.notices(),
+            collapse: CollapseSummary::of_run(prepared, &review.outcome),
             all: PairOutcome::of(review.outcome.collisions.all()),
             structures: StructureSummary::of_run(prepared, review),
             pairs: PairSummary::of_run(prepared, review),
@@ -131,6 +134,7 @@ impl UnderMotion for RunUnderMotion {
             "largest_error": self.error,
             "unusual": self.doubts,
             "warnings": self.warnings,
+            "collapse": self.collapse,
             "structures": self.structures,
             "pairs": self.pairs,
             "effects": self.effects,
