@@ -93,6 +93,7 @@ pub use model::column::{Elastic, Hysteresis, Hysteretic, Knee, Response, Restori
 pub use model::damping::Damping;
 pub use model::excitation::Excitation;
 pub use model::levels::{Levels, Storey};
+pub use model::link::{Braced, Link, LinkFault, LinkLaw, Restrainer, Spring, Viscous};
 pub use model::mixed::Mixed;
 pub use model::modes::{Mode, Oscillation, modes};
 pub use model::node::{Floor, Node, Support};
@@ -102,6 +103,6 @@ pub use model::travel::{Opening, Travel};
 pub use record::recorder::{Impact, Recorder, Struck, Touch, Velocities};
 pub use record::{
     BesideColumn, Closing, Closings, Collision, Collisions, DriftRates, FloorAccelerations, Histories, History, LastStates, Laws, Ledger,
-    LedgerError, PairTerms, Peak, Peaks, Recorders, StructurePeaks, Terms, TransferredMomentum,
+    LedgerError, LinkTerms, PairTerms, Peak, Peaks, Recorders, StructurePeaks, Terms, TransferredMomentum,
 };
 pub use span::{Flight, Motion, Path, Push, Series, Span, State, Weighed};

@@ -59,6 +59,9 @@ pub struct Span<'a> {
     pub path: Path<'a>,
     /// Action of every pair on the floor. The states and impulses contain their sums.
     pub pushes: &'a [Push<'a>],
+    /// Action of every link on the floor. A push contains the index of the link in place of a pair. The forces of links may be negative,
+    /// and neither states nor impulses contain them.
+    pub links: &'a [Push<'a>],
 }
 
 /// Displacement and velocity: of a floor relative to the ground, or the drift and its rate of a storey.

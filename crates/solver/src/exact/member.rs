@@ -1,6 +1,7 @@
 //! A floor or wall between events: its state, the branch of its columns, and its motion as a power series.
 
 use crate::exact::bend::Bend;
+use crate::exact::links::Linked;
 use crate::exact::columns::{Branch, LoadingLine, LoopConstants};
 use crate::model::excitation::Segment;
 use crate::roots::CAPACITY;
@@ -63,6 +64,8 @@ pub(super) struct Member {
     pub(super) above: Option<usize>,
     /// The storey below, for a floor that stands on another floor.
     pub(super) storey: Option<Box<Upper>>,
+    /// The forces of its links; `None` if it has none.
+    pub(super) linked: Option<Box<Linked>>,
     /// Whether the member is neither tied to another floor nor yields smoothly: the force of its columns is then a line over the
     /// displacement.
     pub(super) plain: bool,
@@ -140,6 +143,7 @@ impl Member {
             ground_damping,
             above: row.above(node),
             storey,
+            linked: Linked::at(row, node),
             plain: true,
             stiffness,
             hardened_stiffness,
@@ -189,9 +193,9 @@ impl Member {
         self.inverse_mass == 0.0
     }
 
-    /// Whether it stands on a floor or carries one.
+    /// Whether it stands on a floor, carries one, or is linked.
     pub(super) fn is_tied(&self) -> bool {
-        self.storey.is_some() || self.above.is_some()
+        self.storey.is_some() || self.above.is_some() || self.linked.is_some()
     }
 
     /// Whether its columns take another path when the drift turns.
@@ -331,7 +335,7 @@ pub(super) fn with_below(members: &mut [Member], node: usize) -> Option<(&mut Me
     Some((member, below))
 }
 
-/// The rate ρ with ρ² = ρ C + K, where C and K are the sums of the magnitudes in a row of M⁻¹C and M⁻¹K.
+/// The rate ρ with ρ² = ρ C + K, where C and K are the sums of the magnitudes in a row of M⁻¹C and M⁻¹K; more by that of links that relax.
 ///
 /// With ρ the largest rate of its members, the coefficients of the motion of a body fall at least like ρⁿ/n!.
 fn fastest_rate<Column: Hysteretic>(row: &Row<Column>, node: usize) -> f64 {
@@ -361,8 +365,14 @@ fn fastest_rate<Column: Hysteretic>(row: &Row<Column>, node: usize) -> f64 {
         damping += 2.0 * nodes[above].damping;
         stiffness += 2.0 * steepest(above);
     }
+    let mut relaxation = 0.0;
+    if let Some(linked) = Linked::at(row, node) {
+        damping += 2.0 * linked.damping;
+        stiffness += 2.0 * linked.stiffness;
+        relaxation = linked.relaxation;
+    }
     let (damping, stiffness) = (damping * floor.inverse_mass, stiffness * floor.inverse_mass);
-    0.5 * (damping + (damping * damping + 4.0 * stiffness).sqrt())
+    relaxation + 0.5 * (damping + (damping * damping + 4.0 * stiffness).sqrt())
 }
 
 impl Upper {

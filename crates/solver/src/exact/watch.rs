@@ -2,6 +2,7 @@
 
 use crate::exact::columns::{Branch, LoadingLine};
 use crate::exact::contact::{Link, PairState, Phase};
+use crate::exact::links::Branch as LinkBranch;
 use crate::exact::member::Member;
 use crate::exact::{ExactRun, Touching};
 use crate::roots::{CAPACITY, LOST, SHORTEST_WAY, first_root};
@@ -35,6 +36,10 @@ pub(super) enum Event {
     Grip(usize),
     /// A pair parts.
     Part(usize),
+    /// A link changes its branch.
+    Link(usize, LinkBranch),
+    /// The force of a braced damper passes through zero.
+    FlowTurns(usize),
 }
 
 impl Event {
@@ -59,7 +64,7 @@ pub(super) struct Watch {
 
 impl Watch {
     /// Searches for a rise of the polynomial with these coefficients through zero.
-    fn rise(&mut self, len: usize, coefficient: impl Fn(usize) -> f64, event: Event) {
+    pub(super) fn rise(&mut self, len: usize, coefficient: impl Fn(usize) -> f64, event: Event) {
         let mut polynomial = [0.0; CAPACITY];
         for (n, place) in polynomial[..len].iter_mut().enumerate() {
             *place = coefficient(n);
@@ -70,7 +75,7 @@ impl Watch {
     }
 
     /// Searches for a change of sign. A zero that is `known` to be at the start does not count.
-    fn change_of(&mut self, len: usize, known: bool, coefficient: impl Fn(usize) -> f64, event: Event) {
+    pub(super) fn change_of(&mut self, len: usize, known: bool, coefficient: impl Fn(usize) -> f64, event: Event) {
         let mut polynomial = [0.0; CAPACITY];
         for (n, place) in polynomial[..len].iter_mut().enumerate() {
             *place = coefficient(n);
@@ -165,6 +170,11 @@ impl<R: Recorder> ExactRun<'_, R> {
                 watch.change_of(len - 1, member.peaked, slope, Event::Extremum(node));
             }
         }
+        for &link in group.links() {
+            self.agenda.guard.wait(time)?;
+            let order = watch.power.order();
+            self.moving.links[link].watch(watch, link, &self.moving.members, order, len);
+        }
         for pair in group.pairs() {
             self.agenda.guard.wait(time)?;
             self.touching.watch_pair(watch, *pair, len);
@@ -198,7 +208,8 @@ impl<R: Recorder> ExactRun<'_, R> {
                     storey.still = true;
                 }
             }
-            Event::Cross(_) => {}
+            // The state of a link changes with that of its body.
+            Event::Cross(_) | Event::Link(..) | Event::FlowTurns(_) => {}
             Event::Yield(node, branch) => {
                 let member = &mut self.moving.members[node];
                 (member.branch, member.line) = (branch, LoadingLine::Shifted);

@@ -289,6 +289,7 @@ mod tests {
             below: None,
             path: Path::Cubic(Weighed::default()),
             pushes: &[],
+            links: &[],
         }
     }
 

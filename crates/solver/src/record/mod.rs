@@ -19,7 +19,7 @@ pub use drift_rates::DriftRates;
 pub use floor_accelerations::FloorAccelerations;
 pub use histories::{Histories, History};
 pub use last_states::LastStates;
-pub use ledger::{Laws, Ledger, LedgerError, PairTerms, Terms};
+pub use ledger::{Laws, Ledger, LedgerError, LinkTerms, PairTerms, Terms};
 pub use peaks::{Peak, Peaks, StructurePeaks};
 pub use recorders::Recorders;
 pub use transferred_momentum::TransferredMomentum;

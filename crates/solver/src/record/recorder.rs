@@ -178,6 +178,7 @@ impl Span<'_> {
             below: None,
             path: Path::Cubic(weighed),
             pushes: &[],
+            links: &[],
         }
     }
 }
