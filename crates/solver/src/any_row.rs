@@ -1,6 +1,8 @@
 //! The row of a run, with the leanest columns that suffice.
 
-use crate::{Bilinear, Course, Elastic, Excitation, Hysteretic, Integrator, Ledger, Link, Mixed, Pair, Recorders, Row, RunError, Travel, Work};
+use crate::{
+    Bilinear, Course, Elastic, Excitation, Hysteretic, Integrator, Ledger, Link, Mixed, Pair, Recorders, Row, RunError, Travel, Work,
+};
 
 /// A row with the leanest columns that suffice, chosen once per run.
 #[derive(Debug, Clone)]

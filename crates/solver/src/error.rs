@@ -164,10 +164,13 @@ fn name(floor: Option<usize>) -> String {
 #[derive(Debug, Clone, PartialEq, Error)]
 #[non_exhaustive]
 pub enum RunError {
+    /// Links in a run by a method that takes none.
+    #[error("links: found a method that takes none, allowed are exact and rk4")]
+    TakesNoLinks,
     /// A link whose force is no power series.
     #[error(
         "links[{link}]: found a viscous damper without a brace, which the exact method cannot expand; allowed is one with a brace and \
-         1/exponent a whole number, or another method: rk4, velocity_verlet or central_difference"
+         1/exponent a whole number, or the method rk4"
     )]
     LinkWithoutSeries {
         /// Index of the link.

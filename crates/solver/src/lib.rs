@@ -44,6 +44,7 @@ mod explicit;
 mod impact;
 mod implicit;
 mod integrator;
+mod link_forces;
 mod march;
 mod model;
 mod pushes;
@@ -103,6 +104,6 @@ pub use model::travel::{Opening, Travel};
 pub use record::recorder::{Impact, Recorder, Struck, Touch, Velocities};
 pub use record::{
     BesideColumn, Closing, Closings, Collision, Collisions, DriftRates, FloorAccelerations, Histories, History, LastStates, Laws, Ledger,
-    LedgerError, LinkTerms, PairTerms, Peak, Peaks, Recorders, StructurePeaks, Terms, TransferredMomentum,
+    LedgerError, LinkPeak, LinkPeaks, LinkTerms, PairTerms, Peak, Peaks, Recorders, StructurePeaks, Terms, TransferredMomentum,
 };
 pub use span::{Flight, Motion, Path, Push, Series, Span, State, Weighed};

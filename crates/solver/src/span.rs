@@ -159,6 +159,8 @@ pub(crate) struct Load {
     pub(crate) ground: f64,
     pub(crate) from_left: f64,
     pub(crate) from_right: f64,
+    /// Net force of links; 0 in methods that take none.
+    pub(crate) links: f64,
 }
 
 impl Load {
@@ -171,6 +173,7 @@ impl Load {
             ground,
             from_left: state.force_from_left,
             from_right: state.force_from_right,
+            links: 0.0,
         }
     }
 }

@@ -2,9 +2,9 @@
 
 use std::ops::Range;
 
+use crate::Relation;
 use crate::exact::contact::{Link, PairState, System};
 use crate::exact::tie::Tie;
-use crate::Relation;
 use crate::model::incidence::Incidence;
 
 /// The bodies of a row, from its links.

@@ -74,7 +74,11 @@ impl Hit {
 impl Moving<'_> {
     fn share_a_building(&self, body: impl Fn(&usize) -> usize, a: &Hit, b: &Hit) -> bool {
         let building = |node: &usize| self.buildings.of(*node);
-        let shared = |node: &usize| b.nodes.iter().any(|other| building(other) == building(node) || body(other) == body(node));
+        let shared = |node: &usize| {
+            b.nodes
+                .iter()
+                .any(|other| building(other) == building(node) || body(other) == body(node))
+        };
         a.nodes.iter().any(shared)
     }
 }
@@ -105,7 +109,12 @@ impl<R: Recorder> ExactRun<'_, R> {
         let hit = self.hit(self.chain_from(pair, time), time);
         let mut next = pair + hit.pairs.len();
         let mut hits = vec![hit];
-        if self.moving.members.iter().all(|member| member.storey.is_none() && member.linked.is_none()) {
+        if self
+            .moving
+            .members
+            .iter()
+            .all(|member| member.storey.is_none() && member.linked.is_none())
+        {
             return Ok(hits);
         }
         let mut others = Vec::new();

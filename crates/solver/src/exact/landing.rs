@@ -68,7 +68,7 @@ impl<R: Recorder> ExactRun<'_, R> {
             let member = &mut self.moving.members[node];
             (member.state, member.hysteretic_force) = (end, hysteretic);
         }
-        self.land_links(first, x, if full { &events } else { &[] });
+        self.land_links(first, x, later, if full { &events } else { &[] });
         for place in self.touching.groups.around(first) {
             self.refresh_deformation(self.touching.groups.pair(place), time);
         }
@@ -224,16 +224,17 @@ impl<R: Recorder> ExactRun<'_, R> {
     }
 
     /// Takes the states of links at x, the end of a piece, and changes their branches.
-    fn land_links(&mut self, first: usize, x: f64, events: &[Event]) {
+    fn land_links(&mut self, first: usize, x: f64, later: bool, events: &[Event]) {
         let len = self.moving.bodies[first].len;
         for place in self.touching.groups.links_of(first) {
             let link = self.touching.groups.link(place);
-            self.moving.links[link].land(len, x);
+            self.moving.links[link].land(len, x, later);
         }
         for event in events {
             match *event {
                 Event::Link(link, branch) => self.moving.links[link].go_to(branch, len, x),
                 Event::FlowTurns(link) => self.moving.links[link].pass_zero(),
+                Event::LinkTurns(link) | Event::LinkPeaks(link) => self.moving.links[link].note(event),
                 _ => {}
             }
         }

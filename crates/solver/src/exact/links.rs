@@ -70,6 +70,9 @@ pub(super) struct LinkState {
     /// How far the grounds have moved towards each other at the start of the piece; `None` if they move alike.
     opening: Option<Motion>,
     apart: bool,
+    /// The rate of deformation is zero at this instant; the force has an extremum.
+    turned: bool,
+    peaked: bool,
     /// Deformation, its rate and the force, in the variable of the body.
     deformation: [f64; CAPACITY],
     rate: [f64; CAPACITY],
@@ -230,6 +233,8 @@ impl LinkState {
                 law,
                 opening: None,
                 apart: first.total_cmp(&last).is_ne(),
+                turned: false,
+                peaked: false,
                 deformation: [0.0; CAPACITY],
                 rate: [0.0; CAPACITY],
                 force: [0.0; CAPACITY],
@@ -337,6 +342,7 @@ impl LinkState {
 
     /// Searches for the instants at which the link changes its branch.
     pub(super) fn watch(&self, watch: &mut Watch, link: usize, members: &[Member], p: usize, len: usize) {
+        self.watch_extremes(watch, link, len);
         let line = match &self.law {
             Law::Line(line) => line,
             Law::Flow(flow) => {
@@ -378,8 +384,26 @@ impl LinkState {
         }
     }
 
-    /// Takes the state at x, the end of a piece.
-    pub(super) fn land(&mut self, len: usize, x: f64) {
+    /// Searches for extremes of deformation and force: peaks are read at the ends of pieces.
+    fn watch_extremes(&self, watch: &mut Watch, link: usize, len: usize) {
+        let (of_deformation, own_peaks) = match &self.law {
+            Law::Line(line) => (line.branch == Branch::Elastic, line.damping > 0.0),
+            Law::Flow(_) => (true, true),
+        };
+        if of_deformation {
+            watch.change_of(len, self.turned, |n| self.rate[n], Event::LinkTurns(link));
+        }
+        if own_peaks {
+            let slope = |n: usize| (n + 1) as f64 * self.force[n + 1];
+            watch.change_of(len - 1, self.peaked, slope, Event::LinkPeaks(link));
+        }
+    }
+
+    /// Takes the state at x, the end of a piece. `later` says whether the clock of the recorders has advanced.
+    pub(super) fn land(&mut self, len: usize, x: f64, later: bool) {
+        if later {
+            (self.turned, self.peaked) = (false, false);
+        }
         let deformation = value(&self.deformation[..len], x);
         match &mut self.law {
             Law::Line(line) => line.force = line.at(deformation),
@@ -392,6 +416,15 @@ impl LinkState {
         let deformation = value(&self.deformation[..len], x);
         if let Law::Line(line) = &mut self.law {
             line.go_to(branch, deformation);
+        }
+    }
+
+    /// Notes that deformation or force has an extremum.
+    pub(super) fn note(&mut self, event: &Event) {
+        match event {
+            Event::LinkTurns(_) => self.turned = true,
+            Event::LinkPeaks(_) => self.peaked = true,
+            _ => {}
         }
     }
 

@@ -1,8 +1,8 @@
 //! A floor or wall between events: its state, the branch of its columns, and its motion as a power series.
 
 use crate::exact::bend::Bend;
-use crate::exact::links::Linked;
 use crate::exact::columns::{Branch, LoadingLine, LoopConstants};
+use crate::exact::links::Linked;
 use crate::model::excitation::Segment;
 use crate::roots::CAPACITY;
 use crate::{Flight, Floor, Hysteresis, Hysteretic, Knee, Row, State, Support};

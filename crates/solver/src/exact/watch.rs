@@ -40,6 +40,10 @@ pub(super) enum Event {
     Link(usize, LinkBranch),
     /// The force of a braced damper passes through zero.
     FlowTurns(usize),
+    /// The rate of deformation of a link changes sign.
+    LinkTurns(usize),
+    /// The force of a link has an extremum.
+    LinkPeaks(usize),
 }
 
 impl Event {
@@ -209,7 +213,7 @@ impl<R: Recorder> ExactRun<'_, R> {
                 }
             }
             // The state of a link changes with that of its body.
-            Event::Cross(_) | Event::Link(..) | Event::FlowTurns(_) => {}
+            Event::Cross(_) | Event::Link(..) | Event::FlowTurns(_) | Event::LinkTurns(_) | Event::LinkPeaks(_) => {}
             Event::Yield(node, branch) => {
                 let member = &mut self.moving.members[node];
                 (member.branch, member.line) = (branch, LoadingLine::Shifted);

@@ -114,7 +114,12 @@ impl LinkLaw {
             Self::Spring(spring) => vec![
                 not_negative("stiffness", spring.stiffness),
                 yields(spring.yield_force),
-                ("hardening", spring.hardening, (0.0..1.0).contains(&spring.hardening), "0 to less than 1"),
+                (
+                    "hardening",
+                    spring.hardening,
+                    (0.0..1.0).contains(&spring.hardening),
+                    "0 to less than 1",
+                ),
                 not_negative("damping", spring.damping),
             ],
             Self::Restrainer(restrainer) => vec![
@@ -134,7 +139,12 @@ impl LinkLaw {
             ],
             Self::Viscous(damper) => vec![
                 positive("coefficient", damper.coefficient),
-                ("exponent", damper.exponent, damper.exponent > 0.0 && damper.exponent <= 2.0, "more than 0, at most 2"),
+                (
+                    "exponent",
+                    damper.exponent,
+                    damper.exponent > 0.0 && damper.exponent <= 2.0,
+                    "more than 0, at most 2",
+                ),
             ],
         };
         match numbers.into_iter().find(|(.., valid, _)| !valid) {
@@ -174,11 +184,7 @@ impl LinkLaw {
             }
             Self::Viscous(damper) => (damper.force(rate), 0.0),
         };
-        let memory = LinkMemory {
-            deformation,
-            rate,
-            inner,
-        };
+        let memory = LinkMemory { deformation, rate, inner };
         (force, memory)
     }
 
@@ -268,7 +274,15 @@ mod tests {
         };
         // Yields 40 mm after the slack; from 130 mm the plastic elongation is 70 mm.
         let mut plastic = 0.0;
-        for (elongation, pull) in [(0.02, 0.0), (0.04, 8e5), (0.13, 1.6e6), (0.11, 8e5), (0.09, 0.0), (0.05, 0.0), (0.1, 4e5)] {
+        for (elongation, pull) in [
+            (0.02, 0.0),
+            (0.04, 8e5),
+            (0.13, 1.6e6),
+            (0.11, 8e5),
+            (0.09, 0.0),
+            (0.05, 0.0),
+            (0.1, 4e5),
+        ] {
             let (force, memory) = restrainer.respond(-elongation, plastic);
             assert!((force + pull).abs() < 1e-6, "{elongation}: {force}");
             plastic = memory;

@@ -45,7 +45,11 @@ impl LinkAccount {
         let [left, right] = self.impulses;
         LinkTerms {
             energy: self.energy,
-            impulse: if self.relation.right.parts().next().is_some() { right } else { -left },
+            impulse: if self.relation.right.parts().next().is_some() {
+                right
+            } else {
+                -left
+            },
         }
     }
 
