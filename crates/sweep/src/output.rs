@@ -146,7 +146,7 @@ impl Output {
     pub(super) fn asked_of(&self, floors: &Floors, place: usize) -> Quantity {
         match self.quantity {
             Quantity::Floor(_) if self.is_whole => self.quantity.of_storey(floors.all()[place].is_upper()),
-            Quantity::Floor(_) | Quantity::Pair(_) => self.quantity,
+            Quantity::Floor(_) | Quantity::Pair(_) | Quantity::Link(_) => self.quantity,
         }
     }
 

@@ -67,7 +67,7 @@ pub(super) fn storeys(prepared: &Simulation, words: &InWords<'_>) -> Grid {
     let places = floors(prepared, "Storey", is_storey);
     numbers(words, places, STOREYS, |quantity, floor| match quantity {
         Quantity::Floor(quantity) => words.of_storey(quantity, floor),
-        Quantity::Pair(_) => quantity,
+        Quantity::Pair(_) | Quantity::Link(_) => quantity,
     })
 }
 

@@ -107,6 +107,7 @@ fn scene() -> impl Strategy<Value = (Scene, Vec<f64>)> {
             contacts,
             neighbour: None,
             p_delta: None,
+            links: Vec::new(),
             arrivals_s: None,
             floors: None,
             method,

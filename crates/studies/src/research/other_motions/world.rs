@@ -127,6 +127,7 @@ impl Alone<'_> {
             contacts: None,
             neighbour: None,
             p_delta: None,
+            links: Vec::new(),
             arrivals_s: None,
             ..prepared.scene().clone()
         };
