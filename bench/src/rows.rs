@@ -165,7 +165,7 @@ pub(crate) fn timed_row(
         contacts,
         neighbour: None,
         p_delta: None,
-            links: Vec::new(),
+        links: Vec::new(),
         arrivals_s: None,
         floors: Some(FloorHeights::Level),
         method,

@@ -85,8 +85,8 @@ pub use site::{Site, SitedNumber};
 pub use sketch::Sketch;
 pub use spectra::{SpectraLabels, spectra_figure, spectra_table, spectral_columns};
 pub use summary::{
-    CollisionSummary, ErrorSummary, LedgerSummary, MethodSummary, Numbers, PairErrorSummary, PairSummary, ReadingSummary, RecordSummary,
-    SCHEMA_VERSION, StructureSummary, Summary, WorkSummary,
+    CollisionSummary, ErrorSummary, LedgerSummary, LinkSummary, MethodSummary, Numbers, PairErrorSummary, PairSummary, ReadingSummary,
+    RecordSummary, SCHEMA_VERSION, StructureSummary, Summary, WorkSummary,
 };
 
 /// A run with its histories, ready to be written to a folder.

@@ -7,8 +7,8 @@ use std::ops::RangeInclusive;
 
 use pounding_text::{RefusalKind, Refused, digits, plain};
 
-use crate::file::{Law, Link, ScaleTo};
 use crate::file::budget::Patience;
+use crate::file::{Law, Link, ScaleTo};
 use crate::settings::out_of_range;
 use crate::{Method, RecordUse, Scene, Structure};
 
@@ -104,18 +104,30 @@ impl Scene {
         let known = !matches!(self.method, Method::Accuracy(_));
         if !known || !self.method.integrator().takes_links() {
             let found = Refused::at("method").found(format!("{}, which does not take `links`", self.method.name()));
-            return Err(found.allowed("exact or rk4").help("leave `method` out: the exact method is the default"));
+            return Err(found
+                .allowed("exact or rk4")
+                .help("leave `method` out: the exact method is the default"));
         }
         if !matches!(self.method, Method::Exact { .. }) {
             return Ok(());
         }
-        let bare = |link: &Link| matches!(link.law, Law::Viscous { brace_stiffness_n_per_m: None, .. });
+        let bare = |link: &Link| {
+            matches!(
+                link.law,
+                Law::Viscous {
+                    brace_stiffness_n_per_m: None,
+                    ..
+                }
+            )
+        };
         match self.links.iter().position(bare) {
             None => Ok(()),
             Some(index) => {
                 let place = format!("links[{index}].law.viscous.brace_stiffness_n_per_m");
                 let found = Refused::at(place).found("none: a damper c |v|^α alone has no series at v = 0, which the exact method needs");
-                Err(found.allowed("a number > 0").help("give the stiffness of its brace, or take the method rk4"))
+                Err(found
+                    .allowed("a number > 0")
+                    .help("give the stiffness of its brace, or take the method rk4"))
             }
         }
     }

@@ -262,7 +262,9 @@ impl Link {
             && !(stiffness_n_per_m > 0.0)
         {
             let found = Refused::at("law.spring.stiffness_n_per_m").found(plain(stiffness_n_per_m));
-            return Err(found.allowed("a finite number > 0").help("a damper without a spring is a `dashpot`"));
+            return Err(found
+                .allowed("a finite number > 0")
+                .help("a damper without a spring is a `dashpot`"));
         }
         self.law.for_solver()?.check().map_err(|LinkFault { field, found, allowed }| {
             let place = format!("law.{}.{}", self.law.name(), self.law.word(field));
@@ -271,7 +273,7 @@ impl Link {
     }
 
     /// Both ends in words, the left one first.
-    pub(crate) fn names(&self, scene: &Scene) -> [String; 2] {
+    pub fn names(&self, scene: &Scene) -> [String; 2] {
         let name = |(structure, floor): Standing| {
             let structure = &scene.structures[structure];
             match (structure, floor) {
@@ -283,7 +285,8 @@ impl Link {
                 (_, Some(_)) => structure.name().to_owned(),
             }
         };
-        self.ends(scene).map_or_else(|_| [String::new(), String::new()], |ends| ends.map(name))
+        self.ends(scene)
+            .map_or_else(|_| [String::new(), String::new()], |ends| ends.map(name))
     }
 }
 

@@ -173,7 +173,11 @@ fn renumbered<Column: Hysteretic>(
     let nothing = Row::new(Vec::new(), Vec::new())?;
     let before = std::mem::replace(row, nothing);
     let renewed = before.renewed(nodes(scene, floors, column), pairs(scene, floors))?;
-    *row = if scene.links.is_empty() { renewed } else { renewed.linked(links(scene, floors))? };
+    *row = if scene.links.is_empty() {
+        renewed
+    } else {
+        renewed.linked(links(scene, floors))?
+    };
     Ok(())
 }
 

@@ -32,7 +32,7 @@ pub(super) fn scene(seed: u64, index: usize) -> Scene {
         duration_s: Some(random.within(5.0, 20.0)),
         neighbour: None,
         p_delta: None,
-            links: Vec::new(),
+        links: Vec::new(),
         arrivals_s: arrivals(&mut random, n),
         floors: Some(FloorHeights::Level),
         structures,
