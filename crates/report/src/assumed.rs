@@ -186,7 +186,7 @@ pub(crate) fn parameters(contact: &Contact) -> String {
 }
 
 /// The parameters of the law of a link, in the words of a scene.
-pub(crate) fn of_link(link: &Link) -> String {
+pub fn link_parameters(link: &Link) -> String {
     in_words(serde_json::to_value(link.law).unwrap_or_default(), link.law.name())
 }
 

@@ -64,6 +64,7 @@ use std::sync::Arc;
 pub use advice::advice_answer;
 pub use animation::Animation;
 pub use answer::{damping_facts, method_facts, record_facts};
+pub use assumed::link_parameters;
 pub use assessment::{AssessedMotion, AssessmentReport, FolderOfMotions, ScalingAsked};
 pub use blow::Blow;
 pub use certificate::certificate;

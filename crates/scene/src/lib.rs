@@ -51,7 +51,7 @@ pub use accuracy::price::RunMode;
 pub use file::error::Error;
 pub use file::{
     Building, Capacities, ColumnShape, Columns, Contact, Damping, FileUse, FloorHeights, Generated, Link, Method, PDelta, Property,
-    RecordUse, STANDARD_GRAVITY, Scene, Sdof, Source, Storey, Structure,
+    RecordUse, STANDARD_GRAVITY, Scene, Sdof, Source, Standing, Storey, Structure,
 };
 pub use ground_motion::{GroundMotion, Origin, SharedMotion, hexadecimal, sha256};
 pub use judge::certificate::{Certificate, CertificateRequest};

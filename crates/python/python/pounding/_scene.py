@@ -45,6 +45,7 @@ def row(
     levels: Sequence[int] | None = None,
     heights: Sequence[float] | None = None,
     column_shape: str | None = None,
+    links: Sequence[Mapping[str, Any]] | None = None,
     p_delta: str | None = None,
     floors: str | None = None,
     property: str | Sequence[str] | None = None,
@@ -74,6 +75,9 @@ def row(
         Heights at which slabs can touch floors and columns [m]; by default all.
     column_shape
         ``"fixed"``, the default, or ``"straight"``: shape of columns where slabs hit them.
+    links
+        Springs, dampers and restrainers between floors, as dicts in the words of a file: ``{"between": [{"structure": 1}, {"structure": 2}],
+        "law": {"dashpot": {"damping_n_s_per_m": 1e6}}}``.
     p_delta
         ``"from_masses"``: the weight of the masses acts on leaning storeys; heights are needed.
     floors
@@ -125,6 +129,8 @@ def row(
         if property is not None:
             contacts = [{**contact, "property": own} for contact, own in zip(contacts, for_each(property, n, "property"))]
         given["contacts"] = contacts
+    if links is not None:
+        given["links"] = list(links)
     if floors is not None:
         given["floors"] = floors
     if p_delta is not None:

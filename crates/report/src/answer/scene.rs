@@ -3,7 +3,7 @@
 use pounding_scene::{Columns, Floor, RunResult, Scene, Simulation, StoreyProperties, Structure};
 use pounding_text::{Grid, NONE, Shown, Table, Unit, digits, percent, short};
 
-use crate::assumed::{damping_given, of_link, parameters};
+use crate::assumed::{damping_given, link_parameters, parameters};
 
 /// A floor of a structure and its properties; a wall has neither.
 #[derive(Clone, Copy)]
@@ -147,6 +147,6 @@ pub(super) fn links(scene: &Scene) -> Grid {
     Table::of(&scene.links)
         .shown("Link", |link| link.names(scene).join(" – "))
         .shown("Law", |link| link.law.name())
-        .shown("Parameters", |link| Shown::from(of_link(link)).long())
+        .shown("Parameters", |link| Shown::from(link_parameters(link)).long())
         .grid()
 }

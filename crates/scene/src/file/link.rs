@@ -228,17 +228,26 @@ fn inverse(exponent: f64) -> Result<u32, Refused> {
         .help("take the nearest one, or leave the brace out and integrate by the method rk4"))
 }
 
-/// An end of a link in a row: its structure, and its floor counted from 0; `None` for the ground.
-pub(crate) type Standing = (usize, Option<usize>);
+/// Where an end of a link is in a row.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Standing {
+    /// Index of its structure.
+    pub structure: usize,
+    /// Its floor, from 0 for the lowest; `None` for the ground.
+    pub floor: Option<usize>,
+}
 
 impl Link {
     /// The ends in the row, the left one first.
-    pub(crate) fn ends(&self, scene: &Scene) -> Result<[Standing; 2], Refused> {
+    ///
+    /// # Errors
+    /// [`Refused`] if the row does not have them, or if it is not told which one is on the left.
+    pub fn ends(&self, scene: &Scene) -> Result<[Standing; 2], Refused> {
         let [first, second] = [0, 1].map(|end| self.between[end].stands(scene, &format!("between[{end}]")));
         let (first, second) = (first?, second?);
         let told = self.side.map(|side| side == Side::Left);
-        let by_place = first.0 != second.0;
-        if by_place && told.is_some_and(|left| left != (first.0 < second.0)) {
+        let by_place = first.structure != second.structure;
+        if by_place && told.is_some_and(|left| left != (first.structure < second.structure)) {
             let found = Refused::at("side").found("a side against the order of the row");
             return Err(found.allowed("that of the first end in the row").help("delete `side`"));
         }
@@ -246,14 +255,18 @@ impl Link {
             let found = Refused::at("side").found("none, and the row does not tell which end is on the left");
             return Err(found.allowed("\"left\" or \"right\", for the first of `between`"));
         }
-        let is_left = if by_place { first.0 < second.0 } else { told.unwrap_or(true) };
+        let is_left = if by_place {
+            first.structure < second.structure
+        } else {
+            told.unwrap_or(true)
+        };
         Ok(if is_left { [first, second] } else { [second, first] })
     }
 
     /// Refuses a link that cannot be modelled.
     pub(super) fn check(&self, scene: &Scene) -> Result<(), Refused> {
         let [left, right] = self.ends(scene)?;
-        let is_fixed = |end: Standing| end.1.is_none() || matches!(scene.structures[end.0], Structure::Wall);
+        let is_fixed = |end: Standing| end.floor.is_none() || matches!(scene.structures[end.structure], Structure::Wall);
         if left == right || (is_fixed(left) && is_fixed(right)) {
             let found = Refused::at("between").found("two ends that cannot move against each other");
             return Err(found.allowed("two floors, or a floor and the ground or a wall"));
@@ -274,7 +287,7 @@ impl Link {
 
     /// Both ends in words, the left one first.
     pub fn names(&self, scene: &Scene) -> [String; 2] {
-        let name = |(structure, floor): Standing| {
+        let name = |Standing { structure, floor }| {
             let structure = &scene.structures[structure];
             match (structure, floor) {
                 (Structure::Wall, _) => structure.name().to_owned(),
@@ -302,7 +315,10 @@ impl End {
             let found = Refused::at(format!("{place}.floor")).found(floor.to_string());
             return Err(found.allowed(format!("0 for the ground, to {n_floors} for the highest floor")));
         }
-        Ok((structure, floor.checked_sub(1)))
+        Ok(Standing {
+            structure,
+            floor: floor.checked_sub(1),
+        })
     }
 }
 

@@ -37,7 +37,7 @@ pub use building::{Building, Storey};
 pub use columns::{BoucWen, Capacities, Columns};
 pub use damping::Damping;
 pub use generated::{Generated, Ground, Stochastic};
-pub use link::{End, Law, Link, OfRow, Side};
+pub use link::{End, Law, Link, OfRow, Side, Standing};
 pub use method::{Jumps, Method, Start};
 pub use neighbour::{DrawnNeighbour, Neighbour, UnknownNeighbour};
 pub use processing::{Detrend, FilterBand, ScaleTo};

@@ -1,7 +1,7 @@
 //! Converts a scene for the solver: the leanest row that models it, the integrator and the clock.
 
 use crate::simulation::floors::{Floor, FloorPair, Floors};
-use crate::{Columns, Method, Scene, Structure};
+use crate::{Columns, Method, Scene, Standing, Structure};
 use pounding_contact::{ContactLaw, LinearSpring, Stereomechanical};
 use pounding_solver::{
     AnyRow, Bilinear, BoucWen, CentralDifference, Clock, Elastic, Exact, Hht, Hysteretic, Integrator, Link, Mixed, ModelError, MoreauJean,
@@ -115,7 +115,7 @@ fn in_series(law: ContactLaw, bending: Option<f64>) -> ContactLaw {
 
 /// The links of a checked scene.
 fn links(scene: &Scene, floors: &Floors) -> Vec<Link> {
-    let point = |(structure, floor): (usize, Option<usize>)| {
+    let point = |Standing { structure, floor }| {
         let nodes = floors.of_structure(structure);
         match floor.and_then(|floor| nodes.get(floor)) {
             Some(node) => Point::Floor(*node),

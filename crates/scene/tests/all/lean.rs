@@ -129,10 +129,12 @@ fn bits(outcome: &RunResult) -> String {
         closings,
         drift_rates,
         histories,
+        links,
+        link_energies,
         work: _,
     } = outcome;
     format!(
-        "{peaks:?} {:?} {momentum:?} {accelerations:?} {last:?} {closings:?} {drift_rates:?} {histories:?}",
+        "{peaks:?} {:?} {momentum:?} {accelerations:?} {last:?} {closings:?} {drift_rates:?} {histories:?} {links:?} {link_energies:?}",
         collisions.all()
     )
 }

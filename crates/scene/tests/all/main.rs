@@ -10,6 +10,7 @@ mod gravity;
 mod isolators;
 mod judged;
 mod lean;
+mod links;
 mod mirrored;
 mod numbers;
 mod scene_files;
