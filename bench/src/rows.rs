@@ -167,6 +167,7 @@ pub(crate) fn timed_row(
         neighbour: None,
         p_delta: None,
         collapse_drift_ratio: None,
+        links: Vec::new(),
         arrivals_s: None,
         floors: Some(FloorHeights::Level),
         method,

@@ -5,7 +5,7 @@ use pounding_scene::{Error, Excess, Extras, Simulation, StoreyProperties};
 use crate::peaks::FloorPeaks;
 use crate::separation::Separation;
 
-/// Peaks and required gaps of a row whose buildings stand alone.
+/// Peaks of a row whose buildings stand alone, and required gaps of the row with its links.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Alone {
     /// Peaks of every floor.
@@ -35,16 +35,26 @@ impl Alone {
             reversed_closings: mirrors,
             ..Extras::default()
         })?;
+        // Links change how floors come closer. What pounding does is measured against buildings without them.
+        let alone = if apart.scene().links.is_empty() {
+            None
+        } else {
+            let alone = apart.unlinked()?;
+            let run = alone.run_with(Extras::default())?;
+            Some((FloorPeaks::all(&alone, &run), alone.excesses(&run), alone.over_capacity(&run)))
+        };
         let separations = |reversed: bool| {
             let closings = run.closings.as_ref();
             closings.map_or_else(Vec::new, |closings| Separation::all(&apart, &run, closings, reversed))
         };
+        let of_apart = || (FloorPeaks::all(&apart, &run), apart.excesses(&run), apart.over_capacity(&run));
+        let (floors, excesses, over_capacity) = alone.unwrap_or_else(of_apart);
         Ok(Self {
-            floors: FloorPeaks::all(&apart, &run),
+            floors,
             own: separations(false),
             other: mirrors.then(|| separations(true)),
-            excesses: apart.excesses(&run),
-            over_capacity: apart.over_capacity(&run),
+            excesses,
+            over_capacity,
             reversed: simulation.scene().record.reversed,
         })
     }
@@ -60,12 +70,13 @@ impl Alone {
 }
 
 /// Whether reversed shaking mirrors the motion to the last bit while nothing touches. That holds if all floors begin at rest and all
-/// columns behave alike in both directions. Columns that yield smoothly do not, even at rest.
+/// columns and links behave alike in both directions. Columns that yield smoothly do not, even at rest, nor do restrainers.
 fn mirrors(apart: &Simulation) -> bool {
     let mut floors = apart.floors().all().iter();
     let rests = floors.all(|floor| {
         let moves = |made: StoreyProperties| made.initial_displacement_m.abs() + made.initial_velocity_m_per_s.abs();
         floor.made_of.map_or(0.0, moves) <= 0.0
     });
-    rests && !apart.yields_smoothly()
+    let has_sides = apart.scene().links.iter().any(|link| link.law.has_sides());
+    rests && !has_sides && !apart.yields_smoothly()
 }

@@ -4,10 +4,10 @@ use std::path::PathBuf;
 use std::sync::Arc;
 
 use pounding_report::{
-    BothDirections, HistoryQuantity, PairSummary, Report, Sketch, StructureSummary, Summary, collision_table, history_of, other_direction,
+    BothDirections, HistoryQuantity, LinkSummary, PairSummary, Report, Sketch, StructureSummary, Summary, collision_table, history_of, other_direction,
     run_sentence,
 };
-use pounding_scene::{Error, FloorQuantity, Implausible, PairQuantity, QuantityKind, Review, Scene, Simulation, SimulationOptions};
+use pounding_scene::{Error, FloorQuantity, Implausible, LinkQuantity, PairQuantity, QuantityKind, Review, Scene, Simulation, SimulationOptions};
 use pyo3::exceptions::PyKeyError;
 use pyo3::prelude::*;
 
@@ -190,6 +190,20 @@ impl Run {
         Table::new(first.into_iter().chain(numbers))
     }
 
+    /// Table with one row per link.
+    fn links(&self) -> Table {
+        let links = LinkSummary::of_run(&self.simulation, &self.review);
+        let texts = |of: fn(&LinkSummary) -> &String| Column::texts(links.iter().map(|link| of(link).clone()));
+        let first = [
+            ("left".to_owned(), texts(|link| &link.left)),
+            ("right".to_owned(), texts(|link| &link.right)),
+            ("law".to_owned(), texts(|link| &link.law)),
+        ];
+        let numbers = LinkQuantity::ALL.iter();
+        let numbers = numbers.filter_map(|one| column(one.about().name.into(), links.iter().map(|link| link.numbers.get(*one))));
+        Table::new(first.into_iter().chain(numbers))
+    }
+
     /// Table with one row per collision, in the order of their starts.
     fn impacts(&self) -> Table {
         let floors = self.simulation.floors();
@@ -213,14 +227,15 @@ impl Run {
         self.review.notices()
     }
 
-    /// The table `peaks`, `pairs` or `impacts`.
+    /// The table `peaks`, `pairs`, `links` or `impacts`.
     fn table(&self, name: &str) -> PyResult<Table> {
         match name {
             "peaks" => Ok(self.peaks()),
             "pairs" => Ok(self.pairs()),
+            "links" => Ok(self.links()),
             "impacts" => Ok(self.impacts()),
             _ => Err(PyKeyError::new_err(format!(
-                "found `{name}`, allowed are `peaks`, `pairs`, `impacts`"
+                "found `{name}`, allowed are `peaks`, `pairs`, `links`, `impacts`"
             ))),
         }
     }

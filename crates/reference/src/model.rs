@@ -228,8 +228,9 @@ fn spot(point: Point, structures: &mut Vec<Structure>) -> Spot {
     let (near, far, lean) = match point {
         Point::Floor(floor) => (Some(floor), Some(floor), 0.0),
         Point::Share(Share { base, other, lean }) => (base, other, lean),
+        Point::Ground(_) => (None, None, 0.0),
     };
-    let floor = near.or(far).expect("a point shares a floor at least");
+    let floor = point.floor();
     let mut or_ground = |met: Option<usize>| {
         met.unwrap_or_else(|| {
             let carried = structures[floor];

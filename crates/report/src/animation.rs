@@ -80,11 +80,16 @@ impl Animation {
         let [left, right] = simulation.floors().names(film.hardest.pair);
         let caption = format!(
             "The row from {} to {} s, {} times as slow as it was. Displacements and gaps are drawn {} times as large as heights; floors that \
-             touch are marked. The hardest collision is that of {left} and {right} at {} s.",
+             touch are marked.{} The hardest collision is that of {left} and {right} at {} s.",
             short(film.from),
             short(film.to),
             two_digits(slower),
             two_digits(stage.exaggeration()),
+            if simulation.scene().links.is_empty() {
+                ""
+            } else {
+                " Blue lines are links."
+            },
             short(film.at())
         );
         Some(Self {

@@ -1,6 +1,6 @@
 //! What a run or an assessment assumes, in a table: a checking engineer asks for it before the numbers.
 
-use pounding_scene::{Contact, Damping, Floors, Scene, Simulation, Structure};
+use pounding_scene::{Contact, Damping, Floors, Link, Scene, Simulation, Structure};
 use pounding_text::{Grid, Shown, Table, digits, short, two_digits};
 
 /// An assumption.
@@ -180,13 +180,21 @@ pub(crate) fn damping_given(structure: &Structure) -> Option<String> {
     }
 }
 
-/// The parameters of the law, in the words of a scene.
+/// The parameters of the law of a contact, in the words of a scene.
 pub(crate) fn parameters(contact: &Contact) -> String {
-    let law = serde_json::to_value(contact.law).unwrap_or_default();
+    in_words(serde_json::to_value(contact.law).unwrap_or_default(), contact.law.name())
+}
+
+/// The parameters of the law of a link, in the words of a scene.
+pub fn link_parameters(link: &Link) -> String {
+    in_words(serde_json::to_value(link.law).unwrap_or_default(), link.law.name())
+}
+
+fn in_words(law: serde_json::Value, name: &str) -> String {
     let parameter = |(name, value): (&String, &serde_json::Value)| {
         let value = value.as_f64().map_or_else(|| value.to_string(), short);
         format!("{name} = {value}")
     };
-    let parameters = law[contact.law.name()].as_object().into_iter().flatten();
+    let parameters = law[name].as_object().into_iter().flatten();
     parameters.map(parameter).collect::<Vec<_>>().join(", ")
 }

@@ -65,6 +65,7 @@ pub use advice::advice_answer;
 pub use animation::Animation;
 pub use answer::{damping_facts, method_facts, record_facts};
 pub use assessment::{AssessedMotion, AssessmentReport, FolderOfMotions, ScalingAsked};
+pub use assumed::link_parameters;
 pub use blow::Blow;
 pub use certificate::certificate;
 pub use direction::{BothDirections, other_direction, other_direction_exact, run_sentence};
@@ -85,8 +86,8 @@ pub use site::{Site, SitedNumber};
 pub use sketch::Sketch;
 pub use spectra::{SpectraLabels, spectra_figure, spectra_table, spectral_columns};
 pub use summary::{
-    CollapseSummary, CollisionSummary, ErrorSummary, LedgerSummary, MethodSummary, Numbers, PairErrorSummary, PairSummary, ReadingSummary,
-    RecordSummary, SCHEMA_VERSION, StructureSummary, Summary, WorkSummary,
+    CollapseSummary, CollisionSummary, ErrorSummary, LedgerSummary, LinkSummary, MethodSummary, Numbers, PairErrorSummary, PairSummary,
+    ReadingSummary, RecordSummary, SCHEMA_VERSION, StructureSummary, Summary, WorkSummary,
 };
 
 /// A run with its histories, ready to be written to a folder.

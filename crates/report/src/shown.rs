@@ -5,7 +5,7 @@ use pounding_text::{milliseconds, percent};
 
 /// The choice of each table for people, in the order of its columns or rows.
 pub mod tables {
-    use pounding_scene::{FloorQuantity as Floor, PairQuantity as Pair};
+    use pounding_scene::{FloorQuantity as Floor, LinkQuantity as Link, PairQuantity as Pair};
 
     /// Structures.
     pub const STRUCTURES: &[Floor] = &[
@@ -44,6 +44,14 @@ pub mod tables {
         Pair::LargestImpulseNS,
         Pair::PeakForceN,
         Pair::PeakForceTimeS,
+    ];
+    /// Links.
+    pub const LINKS: &[Link] = &[
+        Link::PeakPushN,
+        Link::PeakPullN,
+        Link::LargestShorteningM,
+        Link::LargestElongationM,
+        Link::LinkEnergyJ,
     ];
     /// The numbers of a building whose worst floor is on the first screen.
     pub const WORST: &[Floor] = &[

@@ -1,13 +1,19 @@
 //! The row as a sketch: heights to scale, floors that touch in orange.
 
 use pounding_plot::{Align, Drawing, Fill, Pen, PlotError, Shade, Shape, render_both, writable};
-use pounding_scene::{Floors, Scene};
+use pounding_scene::{Floors, Link, Scene, Standing};
 use pounding_text::millimetres;
 
 use crate::figures::elevation;
 
-pub(super) const CAPTION: &str = "The row: heights to scale, storeys without a height 3 m high, widths and gaps not to scale. Floors \
-                                  that touch in some run are orange and thick.";
+const CAPTION: &str = "The row: heights to scale, storeys without a height 3 m high, widths and gaps not to scale. Floors \
+                       that touch in some run are orange and thick.";
+const LINKED: &str = " Blue lines are links.";
+
+pub(super) fn caption(scene: &Scene) -> String {
+    let linked = if scene.links.is_empty() { "" } else { LINKED };
+    format!("{CAPTION}{linked}")
+}
 
 /// Largest height on paper \[mm\].
 const TALL: f64 = 60.0;
@@ -57,6 +63,7 @@ pub(super) fn drawing(sketch: &Sketch<'_>) -> Drawing {
         let text = format!("{} mm", millimetres(contact.gap_m));
         shapes.push(Shape::text((at, GROUND + 2.0), text, 8.0, Align::Middle));
     }
+    shapes.extend(scene.links.iter().filter_map(|link| linked(sketch, link, scale)));
     Drawing {
         width,
         height: GROUND + TALL + ABOVE,
@@ -91,6 +98,35 @@ fn building(sketch: &Sketch<'_>, index: usize, left: f64, scale: f64) -> Vec<Sha
         shapes.push(Shape::line((left, height), (left + WIDE, height), pen));
     }
     shapes
+}
+
+/// A line from the face of the left structure to that of the right one; inside a structure from side to side.
+fn linked(sketch: &Sketch<'_>, link: &Link, scale: f64) -> Option<Shape> {
+    let Sketch { scene, floors, .. } = sketch;
+    let ends = link.ends(scene).ok()?;
+    let [left, right] = ends.map(|end| end.structure);
+    let side = |structure: usize| BETWEEN + structure as f64 * (WIDE + BETWEEN);
+    let from = if left == right { side(left) } else { side(left) + WIDE };
+    let to = if left == right { side(right) + WIDE } else { side(right) };
+    let [low, high] = heights(floors, ends).map(|height| GROUND + scale * height);
+    Some(Shape::line((from, low), (to, high), Pen::solid(Shade::Blue, 1.6)))
+}
+
+/// Heights of the ends of a link \[m\], of the ground 0; at a wall the link is level.
+pub(crate) fn heights(floors: &Floors, ends: [Standing; 2]) -> [f64; 2] {
+    let height = |Standing { structure, floor }| {
+        let floor = floors.of_structure(structure).get(floor?)?;
+        (!floors.all()[*floor].is_wall()).then(|| elevation(floors, *floor))
+    };
+    let is_wall = |end: Standing| {
+        floors
+            .of_structure(end.structure)
+            .iter()
+            .all(|floor| floors.all()[*floor].is_wall())
+    };
+    let [left, right] = ends.map(height);
+    let of = |end: Standing, own: Option<f64>, other: Option<f64>| own.or(other.filter(|_| is_wall(end))).unwrap_or(0.0);
+    [of(ends[0], left, right), of(ends[1], right, left)]
 }
 
 fn shortened(name: &str) -> String {

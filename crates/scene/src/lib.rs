@@ -50,8 +50,8 @@ pub use accuracy::opening::SimulationOptions;
 pub use accuracy::price::RunMode;
 pub use file::error::Error;
 pub use file::{
-    Building, Capacities, ColumnShape, Columns, Contact, Damping, FileUse, FloorHeights, Generated, Method, PDelta, Property, RecordUse,
-    STANDARD_GRAVITY, Scene, Sdof, Source, Storey, Structure,
+    Building, Capacities, ColumnShape, Columns, Contact, Damping, FileUse, FloorHeights, Generated, Link, Method, PDelta, Property,
+    RecordUse, STANDARD_GRAVITY, Scene, Sdof, Source, Standing, Storey, Structure,
 };
 pub use ground_motion::{GroundMotion, Origin, SharedMotion, hexadecimal, sha256};
 pub use judge::certificate::{Certificate, CertificateRequest};
@@ -63,7 +63,7 @@ pub use judge::response::{Excess, ExcessKind, Often};
 pub use judge::review::{Errors, Review};
 pub use judge::warning::{Warning, WarningPlace};
 pub use pounding_text::Refused;
-pub use quantity::{FloorQuantity, PairQuantity, Quantity, QuantityEntry, QuantityKind, RunValues};
+pub use quantity::{FloorQuantity, LinkQuantity, PairQuantity, Quantity, QuantityEntry, QuantityKind, RunValues};
 pub use simulation::dampers::MassDamping;
 pub use simulation::floors::{ColumnBeside, Floor, FloorPair, Floors, StoreyProperties, UnwatchedFloor};
 pub use simulation::{

@@ -1,6 +1,8 @@
 //! The row of a run, with the leanest columns that suffice.
 
-use crate::{Bilinear, Course, Elastic, Excitation, Hysteretic, Integrator, Ledger, Mixed, Pair, Recorders, Row, RunError, Travel, Work};
+use crate::{
+    Bilinear, Course, Elastic, Excitation, Hysteretic, Integrator, Ledger, Link, Mixed, Pair, Recorders, Row, RunError, Travel, Work,
+};
 
 /// A row with the leanest columns that suffice, chosen once per run.
 #[derive(Debug, Clone)]
@@ -43,6 +45,11 @@ impl AnyRow {
     /// Returns the pairs that can touch.
     pub fn pairs(&self) -> &[Pair] {
         with_row!(self, row => row.pairs())
+    }
+
+    /// Returns the links.
+    pub fn links(&self) -> &[Link] {
+        with_row!(self, row => row.links())
     }
 
     /// Whether the pairs form a chain ([`Row::is_chain`]).

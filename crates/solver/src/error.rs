@@ -39,6 +39,34 @@ pub enum ModelError {
         /// The values allowed, in words.
         allowed: &'static str,
     },
+    /// A value of a link outside its valid range.
+    #[error("links[{link}].{field}: found {}, allowed {allowed}", plain(*found))]
+    Link {
+        /// Index of the link.
+        link: usize,
+        /// Its field.
+        field: &'static str,
+        /// The value found.
+        found: f64,
+        /// The values allowed, in words.
+        allowed: &'static str,
+    },
+    /// A link with an end that is not in the row.
+    #[error("links[{link}].{side}: {fault}")]
+    LinkEnd {
+        /// Index of the link.
+        link: usize,
+        /// Side of the end: `left` or `right`.
+        side: &'static str,
+        /// The fault.
+        fault: PointFault,
+    },
+    /// A link that no motion deforms.
+    #[error("links[{link}]: found two ends at one point, or none on a floor; allowed are two ends, one of them on a floor")]
+    LinkOfNothing {
+        /// Index of the link.
+        link: usize,
+    },
     /// A pair with a point that is not in the row.
     #[error("pairs[{pair}].{side}: {fault}")]
     Point {
@@ -136,6 +164,18 @@ fn name(floor: Option<usize>) -> String {
 #[derive(Debug, Clone, PartialEq, Error)]
 #[non_exhaustive]
 pub enum RunError {
+    /// Links in a run by a method that takes none.
+    #[error("links: found a method that takes none, allowed are exact and rk4")]
+    TakesNoLinks,
+    /// A link whose force is no power series.
+    #[error(
+        "links[{link}]: found a viscous damper without a brace, which the exact method cannot expand; allowed is one with a brace and \
+         1/exponent a whole number, or the method rk4"
+    )]
+    LinkWithoutSeries {
+        /// Index of the link.
+        link: usize,
+    },
     /// A number stopped being finite in this step.
     #[error(
         "structure {structure} at t = {time:.4} s: the response is no longer a finite number; use a smaller time step \

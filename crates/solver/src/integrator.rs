@@ -59,6 +59,9 @@ impl Integrator {
                 allowed: "a finite number > 0",
             });
         }
+        if !row.links().is_empty() && !self.takes_links() {
+            return Err(RunError::TakesNoLinks);
+        }
         match *self {
             Self::CentralDifference(settings) => central_difference::run(settings, row, excitation, course, recorder),
             Self::Newmark(settings) => newmark::run(settings, row, excitation, course, recorder),
@@ -68,6 +71,11 @@ impl Integrator {
             Self::MoreauJean(settings) => moreau_jean::run(settings, row, excitation, course, recorder),
             Self::Exact(settings) => exact::run(settings, row, excitation, course, recorder),
         }
+    }
+
+    /// Whether the method takes links between floors.
+    pub fn takes_links(&self) -> bool {
+        matches!(self, Self::Exact(_) | Self::Rk4(_))
     }
 
     /// The laws that a run of the method must obey: only the exact method must keep energy to rounding.

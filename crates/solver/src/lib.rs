@@ -44,6 +44,7 @@ mod explicit;
 mod impact;
 mod implicit;
 mod integrator;
+mod link_forces;
 mod march;
 mod model;
 mod pushes;
@@ -93,6 +94,7 @@ pub use model::column::{Elastic, Hysteresis, Hysteretic, Knee, Response, Restori
 pub use model::damping::Damping;
 pub use model::excitation::Excitation;
 pub use model::levels::{Levels, Storey};
+pub use model::link::{Braced, Link, LinkFault, LinkLaw, Restrainer, Spring, Viscous};
 pub use model::mixed::Mixed;
 pub use model::modes::{Mode, Oscillation, modes};
 pub use model::node::{Floor, Node, Support};
@@ -102,6 +104,7 @@ pub use model::travel::{Opening, Travel};
 pub use record::recorder::{Impact, Recorder, Struck, Touch, Velocities};
 pub use record::{
     BesideColumn, Closing, Closings, Collision, Collisions, DriftRates, FloorAccelerations, Histories, History, LastStates, Laws, Leaning,
-    Ledger, LedgerError, PairTerms, Peak, Peaks, Recorders, StructurePeaks, Terms, TransferredMomentum, Widening,
+    Ledger, LedgerError, LinkPeak, LinkPeaks, LinkTerms, PairTerms, Peak, Peaks, Recorders, StructurePeaks, Terms, TransferredMomentum,
+    Widening,
 };
 pub use span::{Flight, Motion, Path, Push, Series, Span, State, Weighed};

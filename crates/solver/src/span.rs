@@ -59,6 +59,9 @@ pub struct Span<'a> {
     pub path: Path<'a>,
     /// Action of every pair on the floor. The states and impulses contain their sums.
     pub pushes: &'a [Push<'a>],
+    /// Action of every link on the floor. A push contains the index of the link in place of a pair. The forces of links may be negative,
+    /// and neither states nor impulses contain them.
+    pub links: &'a [Push<'a>],
 }
 
 /// Displacement and velocity: of a floor relative to the ground, or the drift and its rate of a storey.
@@ -156,6 +159,8 @@ pub(crate) struct Load {
     pub(crate) ground: f64,
     pub(crate) from_left: f64,
     pub(crate) from_right: f64,
+    /// Net force of links; 0 in methods that take none.
+    pub(crate) links: f64,
 }
 
 impl Load {
@@ -168,6 +173,7 @@ impl Load {
             ground,
             from_left: state.force_from_left,
             from_right: state.force_from_right,
+            links: 0.0,
         }
     }
 }

@@ -11,7 +11,7 @@ use super::distribution::{LogNormal, Normal};
 use super::spread::{Between, Grid, Spread};
 use super::summary_file::Summary;
 use pounding_scene::file::RunBudget;
-use pounding_scene::{Error, FloorQuantity, PairQuantity};
+use pounding_scene::{Error, FloorQuantity, LinkQuantity, PairQuantity};
 
 /// A sweep: a scene that runs many times with other values of its fields, under one or many records.
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
@@ -210,6 +210,8 @@ pub struct Outputs {
     pub pairs: Vec<PairQuantity>,
     /// Outputs of every two neighbours, as the severest of all levels: the largest number, the least opening, the first start.
     pub neighbours: Vec<PairQuantity>,
+    /// Outputs of every link.
+    pub links: Vec<LinkQuantity>,
 }
 
 impl Default for Outputs {
@@ -218,6 +220,7 @@ impl Default for Outputs {
             structures: vec![FloorQuantity::PeakDisplacementM],
             buildings: Vec::new(),
             neighbours: Vec::new(),
+            links: Vec::new(),
             pairs: vec![PairQuantity::Collisions, PairQuantity::PeakForceN, PairQuantity::TotalImpulseNS],
         }
     }

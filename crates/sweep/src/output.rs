@@ -1,6 +1,6 @@
 //! The structures of a row, and the requested numbers: a column for each.
 
-use pounding_scene::{FloorPair, FloorQuantity, Floors, Quantity, QuantityKind};
+use pounding_scene::{FloorPair, FloorQuantity, Floors, Quantity, QuantityKind, Scene};
 
 use super::file::Outputs;
 
@@ -24,6 +24,8 @@ pub(super) struct RowShape {
     sides: Vec<[String; 2]>,
     /// Whether gravity acts on a leaning storey in some run, so that runs may end in a collapse.
     pub(super) leans: bool,
+    /// Names of both ends of every link.
+    links: Vec<[String; 2]>,
 }
 
 /// A floor, or a wall.
@@ -36,7 +38,7 @@ struct Named {
 }
 
 impl RowShape {
-    pub(super) fn of(floors: &Floors) -> Self {
+    pub(super) fn of(scene: &Scene, floors: &Floors) -> Self {
         let named = floors.all().iter().map(|floor| Named {
             name: floor.name.clone(),
             structure: floor.structure,
@@ -48,6 +50,7 @@ impl RowShape {
             pairs: floors.facing().to_vec(),
             sides: floors.facing().iter().map(|pair| floors.names_of(pair)).collect(),
             leans: floors.has_gravity(),
+            links: scene.links.iter().map(|link| link.names(scene)).collect(),
         }
     }
 
@@ -55,15 +58,17 @@ impl RowShape {
         self.floors.len()
     }
 
-    /// Whether structures have equal numbers of floors, and neighbours equal numbers of pairs. Slabs that hit columns hit the same ones.
-    pub(super) fn fits(&self, floors: &Floors) -> bool {
+    /// Whether structures have equal numbers of floors, neighbours equal numbers of pairs, and rows equal numbers of links. Slabs that hit
+    /// columns hit the same ones.
+    pub(super) fn fits(&self, scene: &Scene, floors: &Floors) -> bool {
         let structures = self.floors.iter().map(|floor| floor.structure);
         let of_pairs = self.pairs.iter().map(|pair| self.neighbours(pair));
         let other = |floor: usize| floors.all()[floor].structure;
         let of_others = floors.facing().iter().map(|pair| [other(pair.left), other(pair.right)]);
         let columns = |pairs: &[FloorPair]| pairs.iter().copied().filter(|pair| pair.column.is_some()).collect::<Vec<_>>();
         let same_columns = columns(&self.pairs) == columns(floors.facing());
-        structures.eq(floors.all().iter().map(|floor| floor.structure)) && of_pairs.eq(of_others) && same_columns
+        let same_links = self.links.len() == scene.links.len();
+        structures.eq(floors.all().iter().map(|floor| floor.structure)) && of_pairs.eq(of_others) && same_columns && same_links
     }
 
     /// Left and right structure of a pair.
@@ -71,14 +76,18 @@ impl RowShape {
         [pair.left, pair.right].map(|floor| self.floors[floor].structure)
     }
 
-    /// Numbers of floors of every structure, and number of pairs, in words.
+    /// Numbers of floors of every structure, and numbers of pairs and links, in words.
     pub(super) fn words(&self) -> String {
         let of_structure = |index: usize| {
             let own = self.floors.iter().filter(|one| one.structure == index);
             own.count().to_string()
         };
         let floors: Vec<_> = (0..self.structures.len()).map(of_structure).collect();
-        format!("{} floors and walls and {} pairs", floors.join(" + "), self.pairs.len())
+        let links = match self.links.len() {
+            0 => String::new(),
+            n => format!(" and {n} links"),
+        };
+        format!("{} floors and walls and {} pairs{links}", floors.join(" + "), self.pairs.len())
     }
 
     /// The columns of the requested numbers.
@@ -89,7 +98,8 @@ impl RowShape {
             names.map(|(place, name)| (name, vec![place])).collect::<Vec<_>>()
         };
         let between = |[left, right]: [&String; 2]| format!("{left} - {right}");
-        let pairs: Vec<_> = self.sides.iter().map(|[left, right]| between([left, right])).collect();
+        let joined = |sides: &[[String; 2]]| sides.iter().map(|[left, right]| between([left, right])).collect::<Vec<_>>();
+        let (pairs, links) = (joined(&self.sides), joined(&self.links));
         let names = unique(&self.structures);
         let buildings = (0..names.len()).map(|structure| {
             let own = |place: &usize| self.floors[*place].structure == structure && !self.floors[*place].is_wall;
@@ -110,6 +120,7 @@ impl RowShape {
             columns(neighbours, &asked.neighbours, true),
             columns(each(&floors), &asked.structures, false),
             columns(each(&pairs), &asked.pairs, false),
+            columns(each(&links), &asked.links, false),
             self.collapses(),
         ]
         .concat()
@@ -173,7 +184,7 @@ impl Output {
     pub(super) fn asked_of(&self, floors: &Floors, place: usize) -> Quantity {
         match self.quantity {
             Quantity::Floor(_) if self.is_whole => self.quantity.of_storey(floors.all()[place].is_upper()),
-            Quantity::Floor(_) | Quantity::Pair(_) => self.quantity,
+            Quantity::Floor(_) | Quantity::Pair(_) | Quantity::Link(_) => self.quantity,
         }
     }
 

@@ -67,6 +67,9 @@ pub(crate) fn alone_because(scene: &Simulation) -> Option<&'static str> {
     if scene.floors().has_gravity() {
         return Some("storeys under gravity are those of one scene");
     }
+    if !scene.row().links().is_empty() {
+        return Some("links between floors are those of one scene");
+    }
     let of_row = || match (smooth, travels, scene.row().is_chain()) {
         (true, ..) => Some("Bouc–Wen columns are those of one scene"),
         (false, true, _) => Some("a motion that arrives at one structure after the other is that of one scene"),
@@ -175,7 +178,10 @@ fn settings(scene: &Simulation) -> Option<Exact> {
     }
 }
 
-/// The row; `None` if a column can yield.
+/// The row; `None` if a column can yield or floors are linked.
 fn elastic(scene: &Simulation) -> Option<&Row<Elastic>> {
-    if let AnyRow::Elastic(row) = scene.row() { Some(row) } else { None }
+    match scene.row() {
+        AnyRow::Elastic(row) if row.links().is_empty() => Some(row),
+        AnyRow::Elastic(_) | AnyRow::Bilinear(_) | AnyRow::Mixed(_) => None,
+    }
 }

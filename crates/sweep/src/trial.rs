@@ -21,7 +21,10 @@ const NEAR: f64 = 1e-6;
 /// The row of a scene that does not run.
 pub(super) fn row_of(scene: &Scene) -> Result<RowShape, Refused> {
     let floors = scene.check().and_then(|()| Floors::of(scene));
-    Ok(RowShape::of(&floors.map_err(|refused| Error::in_scene(&scene.name, refused))?))
+    Ok(RowShape::of(
+        scene,
+        &floors.map_err(|refused| Error::in_scene(&scene.name, refused))?,
+    ))
 }
 
 /// Reads a scene whose fields were set; an error names the field.
@@ -119,13 +122,13 @@ impl Sweep {
             Err(error) if matches!(error.own_kind(), RefusalKind::Together | RefusalKind::Unstable) => return Ok(()),
             Err(reason) => return Err(refused(axis, setting, &reason)),
         };
-        let floors = found.floors();
-        let first = row.get_or_insert_with(|| RowShape::of(floors));
+        let (scene, floors) = (found.scene(), found.floors());
+        let first = row.get_or_insert_with(|| RowShape::of(scene, floors));
         first.leans |= floors.has_gravity();
-        if first.fits(floors) {
+        if first.fits(scene, floors) {
             return Ok(());
         }
-        let (value, words) = (axis.value(setting), RowShape::of(floors).words());
+        let (value, words) = (axis.value(setting), RowShape::of(scene, floors).words());
         let found = format!(
             "{} = {value}, with which the row has {words}, where the first run has {}",
             axis.name,

@@ -242,6 +242,14 @@ impl Refused {
         self
     }
 
+    /// Puts the field of the fault inside another one: `law` inside `links[0]` is `links[0].law`.
+    #[must_use]
+    pub fn inside(mut self, outer: &str) -> Self {
+        let field = self.0.place.field.take();
+        let path = field.map_or_else(|| outer.to_owned(), |field| format!("{outer}.{}", field.path()));
+        self.in_field(path)
+    }
+
     /// Puts the fault into a file, unless a file is known.
     #[must_use]
     pub fn in_file(mut self, file: &Path) -> Self {

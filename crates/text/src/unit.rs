@@ -59,6 +59,8 @@ impl Unit {
     pub const SPEED: Self = Self::new("_m_per_s", "m/s", "m/s", |_| 1.0, short);
     /// A speed that is known to two digits.
     pub const ROUGH_SPEED: Self = Self::SPEED.read(two_digits);
+    /// An energy.
+    pub const ENERGY: Self = Self::new("_j", "J", "kJ", |_| 1e-3, short);
     /// An acceleration, in parts of that of gravity.
     pub const ACCELERATION: Self = Self::new("_m_per_s2", "m/s²", "g", f64::recip, short);
 

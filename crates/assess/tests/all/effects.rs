@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use pounding_assess::{Alone, AssessedRun, Effects};
+use pounding_assess::{Alone, AssessedRun, Effects, Separation};
 use pounding_scene::{RunResult, Scene, Simulation, Structure};
 
 /// Two towers that touch: three storeys beside two, of the same height and other periods.
@@ -229,5 +229,32 @@ fn limit_a_run_alone_serves_both_directions() {
             let run = |known| AssessedRun::of(&other, known, AssessedRun::STIFFNESS_FACTORS).expect("it runs");
             assert_eq!(run(Some(&alone)), run(None), "{first}");
         }
+    }
+}
+
+/// A damper between the buildings changes how floors come closer, but not what they would do alone.
+#[test]
+fn limit_alone_is_without_links_and_required_gaps_are_with_them() {
+    let linked = |gap: f64| {
+        let mut scene = towers();
+        let links = r#"[{ "between": [{ "structure": "slow", "floor": 2 }, { "structure": "quick" }], "law": { "dashpot": { "damping_n_s_per_m": 2e6 } } }]"#;
+        scene.links = serde_json::from_str(links).expect("links");
+        scene.contacts.as_mut().expect("a contact")[0].gap_m = gap;
+        prepared(&scene)
+    };
+    let unlinked = prepared(&towers());
+    let [with, without] = [&linked(0.01), &unlinked].map(|row| Effects::of(row).expect("it runs"));
+    for (with, without) in with.as_given.iter().zip(&without.as_given) {
+        let [with, without] = [with, without].map(|floor| floor.peak_drift_m.expect("a drift"));
+        assert!((with.alone / without.alone - 1.0).abs() < 1e-12, "{with:?} {without:?}");
+        assert!((with.beside / without.beside - 1.0).abs() > 1e-2, "{with:?} {without:?}");
+    }
+    let required = |row: &Simulation| Separation::of(row).expect("it runs")[0].required;
+    let gap = required(&linked(0.01));
+    assert!((gap / required(&unlinked) - 1.0).abs() > 0.1, "{gap}");
+    // The linked row touches at any smaller gap, and at no larger one.
+    for (factor, touches) in [(1.0 - 1e-9, true), (1.0 + 1e-9, false)] {
+        let run = linked(factor * gap).run(None).expect("it runs");
+        assert_eq!(run.collisions.all().is_empty(), !touches, "{factor}");
     }
 }

@@ -2,9 +2,9 @@
 
 use std::path::PathBuf;
 
-use pounding::report::{RecordSummary, damping_facts, method_facts, other_direction_exact, record_facts};
+use pounding::report::{RecordSummary, damping_facts, link_parameters, method_facts, other_direction_exact, record_facts};
 use pounding::scene::{
-    Columns, ContactLimit, Excess, ExcessKind, Extras, FreeLimit, Implausible, MethodLimits, RunResult, Simulation, Structure,
+    Columns, ContactLimit, Excess, ExcessKind, Extras, FreeLimit, Implausible, Link, MethodLimits, RunResult, Simulation, Structure,
 };
 use pounding::solver::Opening;
 use pounding::text::{Answer, Cell, Form, Manner, NONE, Refused, Shown, Table, Unit, Where, short};
@@ -249,8 +249,19 @@ fn model_lines(plan: &Plan<'_>) -> Vec<String> {
     let both = plan.expected.iter().any(|one| one.reversed.is_some());
     let directions = if both { "in neither direction" } else { "in this direction" };
     lines.extend(unneeded.map(|what| format!("needed {directions}: {what}")));
+    lines.extend(link_lines(prepared));
     lines.extend(travel_line(prepared));
     lines
+}
+
+/// A line for each link: where it is, and its law.
+fn link_lines(prepared: &Simulation) -> Vec<String> {
+    let scene = prepared.scene();
+    let line = |link: &Link| {
+        let (ends, law) = (link.names(scene).join(" – "), link.law.name());
+        format!("link {ends}: {law}, {}", link_parameters(link))
+    };
+    scene.links.iter().map(line).collect()
 }
 
 /// How far bases of neighbours move apart or closer, if the ground motion travels along the row.

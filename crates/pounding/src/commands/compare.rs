@@ -8,7 +8,7 @@ use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
 use pounding::report::{InWords, Summary, tables};
-use pounding::scene::{Error, Errors, Floor, PairQuantity, Quantity, QuantityGroup, QuantityKind, Review, Simulation};
+use pounding::scene::{Error, Errors, Floor, Link, PairQuantity, Quantity, QuantityGroup, QuantityKind, Review, Scene, Simulation};
 use pounding::text::{Answer, Form, Grid, NONE, Refused, Where, digits, percent, short};
 use serde_json::json;
 
@@ -98,7 +98,7 @@ pub(crate) fn run(args: &Arguments) -> Result<String, Refused> {
     Ok(answer.text(Form::Brief))
 }
 
-/// The rows of every floor and pair, and a sentence about those that are alike.
+/// The rows of every floor, pair and link, and a sentence about those that are alike.
 fn every_row(runs: &[ComparedRun], all: bool) -> (Vec<ComparedRow>, Vec<String>) {
     let mut rows = of_runs(runs);
     let (structures, pairs) = (places(runs, floor_places), places(runs, pair_places));
@@ -113,6 +113,10 @@ fn every_row(runs: &[ComparedRun], all: bool) -> (Vec<ComparedRow>, Vec<String>)
     }
     for place in &pairs {
         rows.extend(of_pair(runs, *place, &words("Pair", place, &pairs)));
+    }
+    let n_links = runs.iter().map(|run| run.prepared.scene().links.len()).max().unwrap_or(0);
+    for link in 0..n_links {
+        rows.extend(of_link(runs, link));
     }
     let (rows, alike) = if all { (rows, 0) } else { changed(rows) };
     let alike = match alike {
@@ -287,6 +291,23 @@ fn of_pair(runs: &[ComparedRun], place: ComparedPlace, heading: &str) -> Vec<Com
             // A cell has no room for the name of the only impulsive law.
             Some(_) => String::from("impulsive"),
         }
+    });
+    [name, law].into_iter().chain(rows).collect()
+}
+
+fn of_link(runs: &[ComparedRun], link: usize) -> Vec<ComparedRow> {
+    let text = |name: &str, of: fn(&Link, &Scene) -> String| {
+        row(name, runs, |run| {
+            let scene = run.prepared.scene();
+            scene.links.get(link).map_or(String::from(NONE), |link| of(link, scene))
+        })
+    };
+    let name = text(&format!("Link {}", link + 1), |link, scene| link.names(scene).join(" – "));
+    let law = text("  law", |link, _| link.law.name().into());
+    let rows = tables::LINKS.iter().map(|one| {
+        let quantity = (*one).into();
+        let has = |run: &ComparedRun| link < run.prepared.scene().links.len();
+        number(runs, quantity, |run| run.shown().value(quantity, Some(link).filter(|_| has(run))?))
     });
     [name, law].into_iter().chain(rows).collect()
 }

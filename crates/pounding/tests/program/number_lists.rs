@@ -1,6 +1,6 @@
 //! Tests that write the tables of numbers in documents: they must equal those of the program.
 
-use pounding::scene::{FloorQuantity, PairQuantity, Quantity};
+use pounding::scene::{FloorQuantity, LinkQuantity, PairQuantity, Quantity};
 use pounding::sweep::Outputs;
 use serde::de::DeserializeOwned;
 use serde_json::json;
@@ -44,11 +44,10 @@ fn limit_the_reference_of_results_lists_the_numbers() {
     renew("docs/reference/results.md", |page| {
         let head = ["Number of a structure", "Unit", "Its error", "Meaning"];
         let page = with_table(page, &head, of_summary(FloorQuantity::ALL));
-        with_table(
-            &page,
-            &["Number of a pair", "Unit", "Its error", "Meaning"],
-            of_summary(PairQuantity::ALL),
-        )
+        let head = ["Number of a pair", "Unit", "Its error", "Meaning"];
+        let page = with_table(&page, &head, of_summary(PairQuantity::ALL));
+        let head = ["Number of a link", "Unit", "Its error", "Meaning"];
+        with_table(&page, &head, of_summary(LinkQuantity::ALL))
     });
 }
 
@@ -59,6 +58,8 @@ fn limit_the_reference_of_sweeps_lists_the_outputs() {
         let structures = of_sweep(FloorQuantity::ALL, &default.structures);
         let page = with_table(page, &["Output of structures", "Unit", "Default", "Meaning"], structures);
         let pairs = of_sweep(PairQuantity::ALL, &default.pairs);
-        with_table(&page, &["Output of pairs", "Unit", "Default", "Meaning"], pairs)
+        let page = with_table(&page, &["Output of pairs", "Unit", "Default", "Meaning"], pairs);
+        let links = of_sweep(LinkQuantity::ALL, &default.links);
+        with_table(&page, &["Output of links", "Unit", "Default", "Meaning"], links)
     });
 }

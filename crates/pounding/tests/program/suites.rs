@@ -208,10 +208,12 @@ fn reference_every_example_runs() {
     assert_eq!(
         names,
         [
+            "bridge-with-restrainers.toml",
             "isolated-building-and-moat.toml",
             "row-of-five.toml",
             "slab-against-column.toml",
             "towers-of-storeys.toml",
+            "towers-with-dampers.toml",
             "towers.toml",
             "two-structures.json",
             "wall-and-neighbour.json"

@@ -186,7 +186,7 @@ class Run:
         """
     def table(self, /, name: str) -> Table:
         """
-        The table `peaks`, `pairs` or `impacts`.
+        The table `peaks`, `pairs`, `links` or `impacts`.
         """
     def unusual(self, /) -> list[str]:
         """

@@ -76,7 +76,7 @@ class Run:
             warn(notice, stacklevel=3)
 
     def table(self, name: str) -> _pounding.Table:
-        """The table ``"peaks"``, ``"pairs"`` or ``"impacts"`` for every reader of Arrow, for example ``polars.DataFrame(…)``."""
+        """The table ``"peaks"``, ``"pairs"``, ``"links"`` or ``"impacts"`` for every reader of Arrow, for example ``polars.DataFrame(…)``."""
         return self._native.table(name)
 
     @property
@@ -95,6 +95,11 @@ class Run:
     def pairs(self) -> pandas.DataFrame:
         """One row per pair of floors that face each other; names of columns end with SI units."""
         return frame(self.table("pairs"))
+
+    @property
+    def links(self) -> pandas.DataFrame:
+        """One row per link, in the order of the scene; names of columns end with SI units."""
+        return frame(self.table("links"))
 
     @property
     def impacts(self) -> pandas.DataFrame:

@@ -46,6 +46,7 @@ def row(
     heights: Sequence[float] | None = None,
     column_shape: str | None = None,
     seat_width: float | Sequence[float] | None = None,
+    links: Sequence[Mapping[str, Any]] | None = None,
     p_delta: str | None = None,
     collapse_drift_ratio: float | None = None,
     floors: str | None = None,
@@ -78,6 +79,9 @@ def row(
         ``"fixed"``, the default, or ``"straight"``: shape of columns where slabs hit them.
     seat_width
         Width of the seat of the right floor on the left one [m]: one for all gaps, or one for each.
+    links
+        Springs, dampers and restrainers between floors, as dicts in the words of a file: ``{"between": [{"structure": 1}, {"structure": 2}],
+        "law": {"dashpot": {"damping_n_s_per_m": 1e6}}}``.
     p_delta
         ``"from_masses"``: the weight of the masses acts on leaning storeys; heights are needed.
     collapse_drift_ratio
@@ -133,6 +137,8 @@ def row(
         if property is not None:
             contacts = [{**contact, "property": own} for contact, own in zip(contacts, for_each(property, n, "property"))]
         given["contacts"] = contacts
+    if links is not None:
+        given["links"] = list(links)
     if floors is not None:
         given["floors"] = floors
     if p_delta is not None:

@@ -2,11 +2,13 @@
 
 use std::fmt::Write as _;
 
+use pounding_scene::{Link, Standing};
 use pounding_text::{millimetres, short};
 
 use super::{Film, LASTS, NAMESPACE};
 use crate::figures::elevation;
 use crate::page::markup::escaped;
+use crate::sketch;
 
 /// Width of a building; largest displacement; widest gap; largest height.
 const WIDE: f64 = 30.0;
@@ -24,14 +26,17 @@ const BELOW: f64 = 16.5;
 const SEEN: f64 = 2.0;
 /// Most marks of one pair.
 const MOST: usize = 60;
+/// How far a link reaches into a building, and how far below its floor it is drawn.
+const HELD: f64 = 4.0;
+const UNDER: f64 = 1.6;
 /// Longest name.
 const LONGEST: usize = 20;
 
 const STYLE: &str = "\
-.film{--ink:#222;--soft:#5a5a5a;--fill:#e6ebf0;--hit:#d55e00;--paper:#fff;font:3.2px Helvetica,Arial,'DejaVu Sans',sans-serif}
-@media screen and (prefers-color-scheme:dark){.film{--ink:#e4e4e4;--soft:#a9a9a9;--fill:#2c363f;--hit:#ff9d5c;--paper:#181818}}
+.film{--ink:#222;--soft:#5a5a5a;--fill:#e6ebf0;--hit:#d55e00;--link:#16a;--paper:#fff;font:3.2px Helvetica,Arial,'DejaVu Sans',sans-serif}
+@media screen and (prefers-color-scheme:dark){.film{--ink:#e4e4e4;--soft:#a9a9a9;--fill:#2c363f;--hit:#ff9d5c;--link:#6bf;--paper:#181818}}
 .film .p{fill:var(--paper)}.film .s{fill:var(--fill);stroke:var(--ink);stroke-width:.25}.film .f,.film .g{stroke:var(--ink);stroke-width:.9;fill:none}
-.film .c{stroke:var(--soft);stroke-width:.4;fill:none}.film text{fill:var(--ink)}.film .h{fill:var(--hit)}
+.film .c{stroke:var(--soft);stroke-width:.4;fill:none}.film .l{stroke:var(--link);stroke-width:.7;fill:none}.film text{fill:var(--ink)}.film .h{fill:var(--hit)}
 @media print,(prefers-reduced-motion:reduce){.film *{animation:none!important}}
 ";
 
@@ -97,6 +102,9 @@ impl Stage {
         let mut body = String::new();
         for structure in 0..self.lefts.len() {
             self.structure(film, structure, (&mut style, &mut body));
+        }
+        for (index, link) in film.simulation.scene().links.iter().enumerate() {
+            self.link(film, (index, link), (&mut style, &mut body));
         }
         for floor in 0..film.floors().all().len() {
             self.marks(film, floor, (&mut style, &mut body));
@@ -181,6 +189,42 @@ impl Stage {
         let shear = if storey > 0.0 { (bottom - top) / storey } else { 0.0 };
         let shear = (shear * 1e4).round() / 1e4 + 0.0;
         format!("matrix(1,0,{shear},1,{},0)", mm(bottom - shear * below.0))
+    }
+
+    /// A link: a line just below both floors, whose ends move with them.
+    fn link(&self, film: &Film<'_>, (index, link): (usize, &Link), (style, body): (&mut String, &mut String)) {
+        let Ok(ends) = link.ends(film.simulation.scene()) else {
+            return;
+        };
+        let heights = sketch::heights(film.floors(), ends).map(|height| self.ground - self.up * height);
+        let [left, right] = ends.map(|end| self.lefts[end.structure]);
+        let is_inside = ends[0].structure == ends[1].structure;
+        let from = if is_inside { left + HELD } else { left + WIDE - HELD };
+        let to = if is_inside { right + WIDE - HELD } else { right + HELD };
+        let below = |height: f64| if height < self.ground { height + UNDER } else { height };
+        let moved = |time: f64| {
+            let [one, other] = ends.map(|Standing { structure, floor }| {
+                let floors = film.floors().of_structure(structure);
+                let floor = floor.and_then(|floor| floors.get(floor));
+                floor.map_or(0.0, |floor| self.across * film.displacement(*floor, time))
+            });
+            let stretch = ((1.0 + (other - one) / (to - from)) * 1e4).round() / 1e4;
+            format!("matrix({stretch},0,0,1,{},0)", mm(one + (1.0 - stretch) * from))
+        };
+        let name = format!("film-l{index}");
+        let _ = writeln!(
+            body,
+            "<path class=\"l {name}\" d=\"M{} {}L{} {}\" transform=\"{}\"/>",
+            mm(from),
+            mm(below(heights[0])),
+            mm(to),
+            mm(below(heights[1])),
+            moved(film.at())
+        );
+        let frames = film
+            .instants()
+            .map(|(time, share)| format!("{}%{{transform:{}}}", mm(share), moved(time)));
+        animate(style, &name, &frames.collect::<String>());
     }
 
     /// Marks of the pairs that touch at the right side of a floor, or of a wall at its left; above all buildings, and with the floor.

@@ -148,6 +148,7 @@ pub(super) fn ledger(summary: &Summary) -> Vec<String> {
         ("taken by yielding", one.hysteretic_j),
         ("taken by impulsive impacts", one.impact_j),
         ("taken by compliant contact", one.contact_j),
+        ("taken by links", one.link_j),
     ];
     let known = terms.iter().filter(|(_, value)| value.abs() > ROUNDING * one.scale_j);
     let known = known.map(|(what, value)| format!("{what}: {} kJ", short(value / 1e3)));

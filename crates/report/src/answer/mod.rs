@@ -51,7 +51,8 @@ impl Report<'_> {
                     .map(|used| sentence(&format!("seats {used}")))
                     .collect(),
             )
-            .table(Where::FirstScreen, brief::buildings(prepared, &words));
+            .table(Where::FirstScreen, brief::buildings(prepared, &words))
+            .table(Where::FirstScreen, tables::links(prepared, &words));
         let answer = self
             .warnings(answer)
             .figure("animation")
@@ -118,6 +119,7 @@ impl Report<'_> {
             .table(Where::Details, scene::structures(prepared))
             .say_as(Where::Details, Manner::Soft, "Damping", damping_facts(prepared, &review.outcome))
             .table(Where::Details, scene::contacts(&summary.scene))
+            .table(Where::Details, scene::links(&summary.scene))
             .heading("Ground motion")
             .say_as(Where::Details, Manner::Facts, "Record", record_facts(prepared))
             .figure("ground-motion")

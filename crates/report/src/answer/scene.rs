@@ -3,7 +3,7 @@
 use pounding_scene::{Columns, Floor, RunResult, Scene, Simulation, StoreyProperties, Structure};
 use pounding_text::{Grid, NONE, Shown, Table, Unit, digits, percent, short};
 
-use crate::assumed::{damping_given, parameters};
+use crate::assumed::{damping_given, link_parameters, parameters};
 
 /// A floor of a structure and its properties; a wall has neither.
 #[derive(Clone, Copy)]
@@ -139,5 +139,14 @@ pub(super) fn contacts(scene: &Scene) -> Grid {
         .shown("Law", |(_, contact)| contact.law.name().replace('_', " "))
         .shown("Delivers e", |(_, contact)| contact.law.restitution().map(short))
         .shown("Parameters", |(_, contact)| Shown::from(parameters(contact)).long())
+        .grid()
+}
+
+/// A row for each link.
+pub(super) fn links(scene: &Scene) -> Grid {
+    Table::of(&scene.links)
+        .shown("Link", |link| link.names(scene).join(" – "))
+        .shown("Law", |link| link.law.name())
+        .shown("Parameters", |link| Shown::from(link_parameters(link)).long())
         .grid()
 }

@@ -3,7 +3,7 @@
 use pounding_scene::{FloorQuantity, Quantity, RunResult, Simulation};
 use pounding_text::{Grid, NONE, Shown, Table, digits, instant, short};
 
-use crate::shown::tables::{MOTIONS, OF_STOREYS, PAIRS, STOREYS, STRUCTURES};
+use crate::shown::tables::{LINKS, MOTIONS, OF_STOREYS, PAIRS, STOREYS, STRUCTURES};
 use crate::{InWords, collision_table};
 
 /// Most collisions that are shown; `impacts.csv` has all.
@@ -80,7 +80,7 @@ pub(super) fn storeys(prepared: &Simulation, words: &InWords<'_>) -> Grid {
     let places = Table::of(shown).shown("Storey", move |floor| floors.storey_name(*floor));
     numbers(words, places, STOREYS, |quantity, floor| match quantity {
         Quantity::Floor(quantity) => words.of_storey(quantity, floor),
-        Quantity::Pair(_) => quantity,
+        Quantity::Pair(_) | Quantity::Link(_) => quantity,
     })
 }
 
@@ -89,6 +89,22 @@ pub(super) fn pairs(prepared: &Simulation, words: &InWords<'_>) -> Grid {
     let floors = prepared.floors();
     let pairs = Table::of(floors.pairs_by_contact()).shown("Pair", move |pair| floors.names(*pair).join(" – "));
     numbers(words, pairs, PAIRS, |quantity, _| quantity)
+}
+
+/// Forces and deformations of every link.
+pub(super) fn links(prepared: &Simulation, words: &InWords<'_>) -> Grid {
+    let scene = prepared.scene();
+    let places = Table::of(0..scene.links.len()).shown("Link", |link| {
+        let link = &scene.links[*link];
+        Shown::from(link.names(scene).join(" – ")).over(Some(link.law.name().into()))
+    });
+    LINKS
+        .iter()
+        .fold(places, |table, quantity| {
+            let about = Quantity::from(*quantity).about();
+            table.shown_in(about.unit.shown, about.heading, move |place| words.text(*quantity, *place))
+        })
+        .grid()
 }
 
 /// Notes on the tables of structures.

@@ -27,7 +27,7 @@ pub(super) fn all(report: &AssessmentReport) -> Vec<Illustration> {
     });
     let mut all = vec![Illustration {
         name: NAMES[0],
-        caption: sketch::CAPTION.into(),
+        caption: sketch::caption(report.scene()),
         drawn: render_both(&sketch),
     }];
     all.push(Illustration {

@@ -35,6 +35,9 @@ pub struct Summary {
     pub structures: Vec<StructureSummary>,
     /// The pairs of neighbours that can touch, from left to right.
     pub pairs: Vec<PairSummary>,
+    /// The links, in the order of the scene.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub links: Vec<LinkSummary>,
     /// The effects of pounding on every storey, in the order of the structures, if they were asked for.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub effects: Option<Effects>,
@@ -177,6 +180,20 @@ pub struct PairSummary {
     pub errors: Option<PairErrorSummary>,
 }
 
+/// What happened to a link.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct LinkSummary {
+    /// Name of its left end.
+    pub left: String,
+    /// Name of its right end.
+    pub right: String,
+    /// Law, as scene files spell it.
+    pub law: String,
+    /// Its numbers, each in a field of its name.
+    #[serde(flatten)]
+    pub numbers: Numbers,
+}
+
 /// One touching of two neighbours.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct CollisionSummary {
@@ -209,14 +226,14 @@ pub struct PairErrorSummary {
 
 /// Where the energy of the row went, at the end of the run; of the motion relative to the ground.
 ///
-/// kinetic + strain + damping + hysteretic + impact + contact = initial + input + opening.
+/// kinetic + strain + damping + hysteretic + impact + contact + link = initial + input + opening.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct LedgerSummary {
     /// Energy at the start \[J\].
     pub initial_j: f64,
     /// Work of the shaking \[J\].
     pub input_j: f64,
-    /// Work that bases which move towards each other do through contact \[J\]; left out where all are shaken at once.
+    /// Work that bases which move towards each other do through contact and links \[J\]; left out where all are shaken at once.
     #[serde(default, skip_serializing_if = "is_zero")]
     pub opening_j: f64,
     /// Kinetic energy \[J\].
@@ -231,6 +248,9 @@ pub struct LedgerSummary {
     pub impact_j: f64,
     /// Energy that compliant contact took \[J\].
     pub contact_j: f64,
+    /// Energy that links took, including what they still store \[J\]; left out where it is 0.
+    #[serde(default, skip_serializing_if = "is_zero")]
+    pub link_j: f64,
     /// Largest residual of the balance over time, relative to the scale \[–\].
     pub residual: f64,
     /// Largest over time of the initial energy plus the magnitudes of the terms \[J\].
@@ -254,6 +274,7 @@ impl LedgerSummary {
             hysteretic,
             impact,
             contact,
+            link,
         } = balance.terms;
         Self {
             initial_j: initial,
@@ -265,6 +286,7 @@ impl LedgerSummary {
             hysteretic_j: hysteretic,
             impact_j: impact,
             contact_j: contact,
+            link_j: link,
             residual: balance.residual,
             scale_j: balance.scale,
         }

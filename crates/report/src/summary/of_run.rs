@@ -4,11 +4,13 @@ use pounding_motion::Reading;
 use pounding_solver::Collision;
 
 use super::{
-    CollapseSummary, CollisionSummary, ErrorSummary, LedgerSummary, MethodSummary, Numbers, PairErrorSummary, PairSummary, ReadingSummary,
-    RecordSummary, SCHEMA_VERSION, StructureSummary, Summary, WorkSummary,
+    CollapseSummary, CollisionSummary, ErrorSummary, LedgerSummary, LinkSummary, MethodSummary, Numbers, PairErrorSummary, PairSummary,
+    ReadingSummary, RecordSummary, SCHEMA_VERSION, StructureSummary, Summary, WorkSummary,
 };
 use crate::sampling::Sampling;
-use pounding_scene::{Errors, Floor, FloorQuantity, PairQuantity, QuantityGroup, Review, RunResult, Simulation, Source};
+use pounding_scene::{
+    Errors, Floor, FloorQuantity, Link, LinkQuantity, PairQuantity, QuantityGroup, Review, RunResult, Simulation, Source,
+};
 
 impl Summary {
     /// The summary of a run, with its errors if they are known.
@@ -21,6 +23,7 @@ impl Summary {
             record: RecordSummary::of(prepared),
             structures: StructureSummary::of_run(prepared, review),
             pairs: PairSummary::of_run(prepared, review),
+            links: LinkSummary::of_run(prepared, review),
             effects: None,
             collapse: CollapseSummary::of_run(prepared, &review.outcome),
             ledger: LedgerSummary::of(&review.balance),
@@ -120,6 +123,25 @@ impl PairSummary {
             }
         };
         (0..prepared.floors().facing().len()).map(of).collect()
+    }
+}
+
+impl LinkSummary {
+    /// Of every link, in the order of the scene.
+    pub fn of_run(prepared: &Simulation, review: &Review) -> Vec<Self> {
+        let values = review.outcome.values(prepared);
+        let all = || LinkQuantity::ALL.iter().map(|one| (*one).into());
+        let scene = prepared.scene();
+        let of = |(place, link): (usize, &Link)| {
+            let [left, right] = link.names(scene);
+            Self {
+                left,
+                right,
+                law: link.law.name().into(),
+                numbers: Numbers::of(&values, (all(), place)),
+            }
+        };
+        scene.links.iter().enumerate().map(of).collect()
     }
 }
 

@@ -104,7 +104,7 @@ impl RunErrors {
     /// # Panics
     /// If the row has no such floor or pair.
     pub fn at(&self, quantity: impl Into<Quantity>, place: usize) -> Option<f64> {
-        let (errors, index) = self.of_place(quantity.into(), place);
+        let (errors, index) = self.of_place(quantity.into(), place)?;
         errors.relative[index]
     }
 
@@ -114,7 +114,7 @@ impl RunErrors {
     /// If the row has no such floor or pair.
     pub fn told(&self, quantity: impl Into<Quantity>, place: usize) -> Option<f64> {
         let quantity = quantity.into();
-        let (errors, index) = self.of_place(quantity, place);
+        let (errors, index) = self.of_place(quantity, place)?;
         let is_absolute = quantity.about().absolute.is_some();
         if is_absolute {
             errors.absolute[index]
@@ -124,10 +124,11 @@ impl RunErrors {
     }
 
     /// Returns the errors of a place, and the index of a number in them.
-    fn of_place(&self, quantity: Quantity, place: usize) -> (&PlaceErrors, usize) {
+    fn of_place(&self, quantity: Quantity, place: usize) -> Option<(&PlaceErrors, usize)> {
         match quantity {
-            Quantity::Floor(quantity) => (&self.floors[place], quantity as usize),
-            Quantity::Pair(quantity) => (&self.pairs[place].errors, quantity as usize),
+            Quantity::Floor(quantity) => Some((&self.floors[place], quantity as usize)),
+            Quantity::Pair(quantity) => Some((&self.pairs[place].errors, quantity as usize)),
+            Quantity::Link(_) => None,
         }
     }
 
@@ -150,6 +151,7 @@ impl RunErrors {
         let places = match quantity {
             Quantity::Floor(_) => 0..self.floors.len(),
             Quantity::Pair(_) => 0..self.pairs.len(),
+            Quantity::Link(_) => 0..0,
         };
         places.filter_map(|place| self.at(quantity, place)).fold(0.0, f64::max)
     }

@@ -7,8 +7,8 @@ use std::ops::RangeInclusive;
 
 use pounding_text::{RefusalKind, Refused, digits, plain};
 
-use crate::file::ScaleTo;
 use crate::file::budget::Patience;
+use crate::file::{Law, Link, ScaleTo};
 use crate::settings::out_of_range;
 use crate::{Method, RecordUse, Scene, Structure};
 
@@ -66,6 +66,9 @@ impl Scene {
         }
         self.check_method()?;
         check_contacts(self)?;
+        for (index, link) in self.links.iter().enumerate() {
+            link.check(self).map_err(|refused| refused.inside(&format!("links[{index}]")))?;
+        }
         check_arrivals(self)
     }
 
@@ -79,6 +82,7 @@ impl Scene {
             let allowed = "a number > 0 and < 1, such as 0.01 for 1 %";
             require(valid, "method.accuracy", accuracy, allowed)?;
         }
+        self.check_links_by_method()?;
         if let Some(duration) = self.duration_s {
             require(duration > 0.0, "duration_s", duration, POSITIVE)?;
         }
@@ -91,6 +95,44 @@ impl Scene {
         match self.duration_s {
             Some(duration) => check_steps(self, dt, duration),
             None => Ok(()),
+        }
+    }
+}
+
+impl Scene {
+    /// Refuses a method that does not take the links of the scene.
+    fn check_links_by_method(&self) -> Result<(), Refused> {
+        if self.links.is_empty() {
+            return Ok(());
+        }
+        let known = !matches!(self.method, Method::Accuracy(_));
+        if !known || !self.method.integrator().takes_links() {
+            let found = Refused::at("method").found(format!("{}, which does not take `links`", self.method.name()));
+            return Err(found
+                .allowed("exact or rk4")
+                .help("leave `method` out: the exact method is the default"));
+        }
+        if !matches!(self.method, Method::Exact { .. }) {
+            return Ok(());
+        }
+        let bare = |link: &Link| {
+            matches!(
+                link.law,
+                Law::Viscous {
+                    brace_stiffness_n_per_m: None,
+                    ..
+                }
+            )
+        };
+        match self.links.iter().position(bare) {
+            None => Ok(()),
+            Some(index) => {
+                let place = format!("links[{index}].law.viscous.brace_stiffness_n_per_m");
+                let found = Refused::at(place).found("none: a damper c |v|^α alone has no series at v = 0, which the exact method needs");
+                Err(found
+                    .allowed("a number > 0")
+                    .help("give the stiffness of its brace, or take the method rk4"))
+            }
         }
     }
 }

@@ -13,6 +13,7 @@ pub(crate) mod error;
 pub(crate) mod fault;
 mod generated;
 mod isolator;
+pub(crate) mod link;
 mod method;
 mod neighbour;
 pub(crate) mod position;
@@ -36,6 +37,7 @@ pub use building::{Building, Storey};
 pub use columns::{BoucWen, Capacities, Columns};
 pub use damping::Damping;
 pub use generated::{Generated, Ground, Stochastic};
+pub use link::{End, Law, Link, OfRow, Side, Standing};
 pub use method::{Jumps, Method, Start};
 pub use neighbour::{DrawnNeighbour, Neighbour, UnknownNeighbour};
 pub use processing::{Detrend, FilterBand, ScaleTo};
@@ -76,6 +78,9 @@ pub struct Scene {
     /// One contact between each structure and its right neighbour; absent if the structures stand apart.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub contacts: Option<Vec<Contact>>,
+    /// Springs, dampers and restrainers between floors, or between a floor and the ground or a wall.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub links: Vec<Link>,
     /// The neighbour to the right of the last structure, if it is unknown; only `assess` accepts it.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub neighbour: Option<Neighbour>,

@@ -1,11 +1,14 @@
-//! The numbers of a run. The tables [`FloorQuantity`] and [`PairQuantity`] have an entry for each; every file, page and language takes
+//! The numbers of a run. The tables [`FloorQuantity`], [`PairQuantity`] and
+//! [`LinkQuantity`] have an entry for each; every file, page and language takes
 //! names, units and values from them.
 
 mod floor;
+mod link;
 mod pair;
 mod values;
 
 pub use floor::FloorQuantity;
+pub use link::LinkQuantity;
 pub use pair::PairQuantity;
 pub use values::RunValues;
 
@@ -20,6 +23,8 @@ pub enum Quantity {
     Floor(FloorQuantity),
     /// A number of every pair.
     Pair(PairQuantity),
+    /// A number of every link.
+    Link(LinkQuantity),
 }
 
 /// An entry of the table: the description of a number.
@@ -178,10 +183,11 @@ impl QuantityEntry {
 }
 
 impl Quantity {
-    /// All numbers of floors, then those of pairs, in the order of columns.
+    /// All numbers of floors, then those of pairs and of links, in the order of columns.
     pub fn all() -> impl Iterator<Item = Self> {
         let floors = FloorQuantity::ALL.iter().map(|one| Self::Floor(*one));
-        floors.chain(PairQuantity::ALL.iter().map(|one| Self::Pair(*one)))
+        let pairs = floors.chain(PairQuantity::ALL.iter().map(|one| Self::Pair(*one)));
+        pairs.chain(LinkQuantity::ALL.iter().map(|one| Self::Link(*one)))
     }
 
     /// Entry of the table.
@@ -189,6 +195,7 @@ impl Quantity {
         match self {
             Self::Floor(quantity) => quantity.about(),
             Self::Pair(quantity) => quantity.about(),
+            Self::Link(quantity) => quantity.about(),
         }
     }
 

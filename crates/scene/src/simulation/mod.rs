@@ -192,6 +192,24 @@ impl Simulation {
         })
     }
 
+    /// Returns the simulation without its links. The indices of floors in the row stay.
+    ///
+    /// # Errors
+    /// Errors of the model with its links, which were found before.
+    pub fn unlinked(&self) -> Result<Self, Error> {
+        let scene = Scene {
+            links: Vec::new(),
+            ..self.scene.clone()
+        };
+        let row =
+            model::lean(&scene, &self.floors).map_err(|error| Error::in_scene(&scene.name, of_model(&error, &scene, &self.floors)))?;
+        Ok(Self {
+            scene,
+            row,
+            ..self.clone()
+        })
+    }
+
     /// Refuses a time step beyond the limit of stability.
     fn stable(self) -> Result<Self, Error> {
         match self.unstable {

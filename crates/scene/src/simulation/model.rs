@@ -1,11 +1,11 @@
 //! Converts a scene for the solver: the leanest row that models it, the integrator and the clock.
 
 use crate::simulation::floors::{Floor, FloorPair, Floors};
-use crate::{Columns, Method, Scene, Structure};
+use crate::{Columns, Method, Scene, Standing, Structure};
 use pounding_contact::{ContactLaw, LinearSpring, Stereomechanical};
 use pounding_solver::{
-    AnyRow, Bilinear, BoucWen, CentralDifference, Clock, Elastic, Exact, Hht, Hysteretic, Integrator, Mixed, ModelError, MoreauJean,
-    Newmark, Node, Pair, Rk4, Row, Smoothness, Storey, Verlet,
+    AnyRow, Bilinear, BoucWen, CentralDifference, Clock, Elastic, Exact, Hht, Hysteretic, Integrator, Link, Mixed, ModelError, MoreauJean,
+    Newmark, Node, Pair, Point, Relation, Rk4, Row, Smoothness, Storey, Verlet,
 };
 
 /// Gap of neighbours that stand apart in a scene, if all pairs are modelled \[m\].
@@ -113,6 +113,24 @@ fn in_series(law: ContactLaw, bending: Option<f64>) -> ContactLaw {
     }
 }
 
+/// The links of a checked scene.
+fn links(scene: &Scene, floors: &Floors) -> Vec<Link> {
+    let point = |Standing { structure, floor }| {
+        let nodes = floors.of_structure(structure);
+        match floor.and_then(|floor| nodes.get(floor)) {
+            Some(node) => Point::Floor(*node),
+            None => Point::Ground(nodes[0]),
+        }
+    };
+    let link = |link: &crate::Link| {
+        let [left, right] = link.ends(scene).ok()?.map(point);
+        let relation = Relation { left, right, offset: 0.0 };
+        let law = link.law.for_solver().ok()?;
+        Some(Link { relation, law })
+    };
+    scene.links.iter().filter_map(link).collect()
+}
+
 fn pairs_out_of_reach(floors: &Floors) -> Vec<Pair> {
     let walls = |node: usize| floors.all()[node].is_wall();
     let facing = floors.all_facing().into_iter();
@@ -135,7 +153,7 @@ fn row<Column: Hysteretic>(
     column: impl Fn(&Columns) -> Column,
     pairs: Vec<Pair>,
 ) -> Result<Row<Column>, ModelError> {
-    let row = Row::new(nodes(scene, floors, column).collect(), pairs)?;
+    let row = Row::new(nodes(scene, floors, column).collect(), pairs)?.linked(links(scene, floors))?;
     match &scene.arrivals_s {
         None => Ok(row),
         Some(arrivals) => {
@@ -154,7 +172,12 @@ fn renumbered<Column: Hysteretic>(
 ) -> Result<(), ModelError> {
     let nothing = Row::new(Vec::new(), Vec::new())?;
     let before = std::mem::replace(row, nothing);
-    *row = before.renewed(nodes(scene, floors, column), pairs(scene, floors))?;
+    let renewed = before.renewed(nodes(scene, floors, column), pairs(scene, floors))?;
+    *row = if scene.links.is_empty() {
+        renewed
+    } else {
+        renewed.linked(links(scene, floors))?
+    };
     Ok(())
 }
 

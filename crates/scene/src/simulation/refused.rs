@@ -49,6 +49,15 @@ pub(super) fn of_model(error: &ModelError, scene: &Scene, floors: &Floors) -> Re
             };
             out_of_range(place, found, allowed)
         }
+        ModelError::Link {
+            link,
+            field,
+            found,
+            allowed,
+        } => {
+            let law = scene.links.get(link).map_or("", |link| link.law.name());
+            out_of_range(format!("links[{link}].law.{law}.{field}"), found, allowed)
+        }
         ModelError::OutOfRange { .. }
         | ModelError::Node { .. }
         | ModelError::Point { .. }

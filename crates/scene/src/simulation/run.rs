@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use pounding_solver::{
     BesideColumn, Clock, Closings, Collisions, DriftRates, Excitation, FloorAccelerations, Histories, Integrator, LastStates, Ledger,
-    LedgerError, OnRow, Opening, Pair, Peak, Peaks, Recorder, Recorders, RunError, Terms, TransferredMomentum, Travel, Work,
+    LedgerError, LinkPeaks, OnRow, Opening, Pair, Peak, Peaks, Recorder, Recorders, RunError, Terms, TransferredMomentum, Travel, Work,
 };
 
 use super::Simulation;
@@ -26,6 +26,10 @@ pub struct RunResult {
     pub momentum: TransferredMomentum,
     /// Peak absolute accelerations of every floor \[m/s²\]. Impulsive impacts, whose acceleration has no bound, are left out.
     pub accelerations: Vec<Peak>,
+    /// Peaks of every link; `None` if the row has none.
+    pub links: Option<LinkPeaks>,
+    /// Energy that every link took \[J\]; empty for runs without a ledger.
+    pub link_energies: Vec<f64>,
     /// State of every floor at the end.
     pub last: LastStates,
     /// Largest closing between neighbours; `None` if it was not asked for.
@@ -95,6 +99,8 @@ impl Simulation {
             collisions: recorders.collisions,
             momentum: recorders.momentum,
             accelerations: accelerations.unwrap_or_default(),
+            links: recorders.links,
+            link_energies: Vec::new(),
             last: recorders.last.unwrap_or_else(|| LastStates::new(0)),
             closings: recorders.closings,
             drift_rates: recorders.drift_rates,
@@ -147,8 +153,11 @@ impl Simulation {
         let mut recorders = self.recorders(asked);
         recorders.ledger = Some(&mut ledger);
         let work = self.integrate(&mut recorders)?;
+        let mut outcome = self.result(recorders, work);
+        let links = 0..self.row.links().len();
+        outcome.link_energies = links.map(|link| ledger.of_link(link).energy).collect();
         Ok(AuditedRun {
-            outcome: self.result(recorders, work),
+            outcome,
             broken: ledger.verdict().err().map(|source| self.broke(source)),
             balance: EnergyBalance {
                 terms: ledger.terms(),
@@ -212,6 +221,8 @@ impl Simulation {
     fn usual_recorders<'l>(&self) -> Recorders<'l, '_> {
         let mut recorders = Recorders::usual(self.floors.all().len(), self.pairs());
         recorders.collisions = recorders.collisions.travelled(self.travel());
+        let links = self.row.links();
+        recorders.links = (!links.is_empty()).then(|| LinkPeaks::new(links).travelled(self.travel()));
         if self.floors.has_gravity() {
             let floors = self.floors.all().iter();
             recorders.peaks = recorders.peaks.under_gravity(floors.map(|floor| self.leaning(floor)));

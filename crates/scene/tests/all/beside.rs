@@ -13,7 +13,9 @@ pub(crate) fn case(name: &str) -> (Value, Value) {
 }
 
 pub(crate) fn number(of: &Value, name: &str) -> f64 {
-    of[name].as_f64().unwrap_or_else(|| panic!("{name}: {of}"))
+    let value = &of[name];
+    let written = || value.as_str()?.parse().ok();
+    value.as_f64().or_else(written).unwrap_or_else(|| panic!("{name}: {of}"))
 }
 
 /// A slab on a spring that flies against the column of the second of two storeys of 3 m, at the part s of its height.

@@ -109,6 +109,7 @@ fn scene() -> impl Strategy<Value = (Scene, Vec<f64>)> {
             neighbour: None,
             p_delta: None,
             collapse_drift_ratio: None,
+            links: Vec::new(),
             arrivals_s: None,
             floors: None,
             method,
@@ -131,10 +132,12 @@ fn bits(outcome: &RunResult) -> String {
         drift_rates,
         histories,
         collapse,
+        links,
+        link_energies,
         work: _,
     } = outcome;
     format!(
-        "{peaks:?} {:?} {momentum:?} {accelerations:?} {last:?} {closings:?} {drift_rates:?} {histories:?} {collapse:?}",
+        "{peaks:?} {:?} {momentum:?} {accelerations:?} {last:?} {closings:?} {drift_rates:?} {histories:?} {collapse:?} {links:?} {link_energies:?}",
         collisions.all()
     )
 }

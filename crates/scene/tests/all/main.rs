@@ -11,6 +11,7 @@ mod gravity;
 mod isolators;
 mod judged;
 mod lean;
+mod links;
 mod mirrored;
 mod numbers;
 mod openings;

@@ -8,7 +8,7 @@ use crate::exact::groups::beside;
 use crate::exact::member::{self, Member};
 use crate::exact::series;
 use crate::exact::watch::{Event, Watch, reach};
-use crate::exact::{ExactRun, Touching, rounding};
+use crate::exact::{ExactRun, Moving, Touching, rounding};
 use crate::model::incidence::Incident;
 use crate::span::Power;
 use crate::{Recorder, RunError};
@@ -152,22 +152,25 @@ impl<R: Recorder> ExactRun<'_, R> {
     /// Expands the motion of a body from now on; returns the power of time and the number of coefficients.
     pub(super) fn expand(&mut self, first: usize, time: f64) -> (Power, usize) {
         let stop = self.shake(first, time).min(self.agenda.end);
+        self.open_links(first, time);
         let group = self.touching.groups.of(first);
         let any = |asked: fn(&PairState) -> bool| {
             let mut pairs = group.pairs().iter();
             pairs.any(|pair| asked(&self.touching.contacts[*pair]))
         };
         let bends = |node: &usize| self.moving.members[*node].bend.is_some();
+        let flows = |link: &usize| self.moving.links[*link].bends();
         let (power, len) = if any(begins) {
             (Power::Four, AT_TOUCH)
-        } else if any(touching) || group.followed().iter().any(bends) {
+        } else if any(touching) || group.followed().iter().any(bends) || group.links().iter().any(flows) {
             (Power::One, IN_CONTACT)
         } else {
             let radius = series::radius(&self.moving.members, group.nodes());
             (Power::One, in_flight((stop - time) / radius))
         };
-        let (members, contacts) = (&mut self.moving.members, &mut self.touching.contacts);
-        series::expand(group, members, contacts, self.touching.incidence, power, len);
+        let Moving { members, links, .. } = &mut self.moving;
+        let contacts = &mut self.touching.contacts;
+        series::expand(group, members, contacts, links, self.touching.incidence, (power, len));
         let tame = |n: &usize| {
             let moves = |node: &usize| {
                 let Member {
@@ -274,6 +277,12 @@ impl<R: Recorder> ExactRun<'_, R> {
                 length = length.min(reach.ok_or(error)?);
             }
         }
+        for &link in group.links() {
+            let state = &self.moving.links[link];
+            let structure = state.relation.left.floor();
+            let reach = state.reach(power, len, longest, tolerance);
+            length = length.min(reach.ok_or(RunError::OutOfNumbers { structure, time })?);
+        }
         Ok(length)
     }
 
@@ -299,6 +308,9 @@ impl<R: Recorder> ExactRun<'_, R> {
                 corrected |= member.turns_back(below, power.order(), len);
                 corrected |= alone && member.goes_astray(below, power.order(), len);
             }
+        }
+        for link in group.links() {
+            corrected |= self.moving.links[*link].turns_back(members, power.order(), len);
         }
         for pair in group.pairs() {
             corrected |= self.touching.contacts[*pair].find_alike(members, power, len);

@@ -287,6 +287,7 @@ impl<R: Recorder> ExactRun<'_, R> {
                 below: None,
                 path: Path::Flight(flight),
                 pushes,
+                links: &[],
             });
             (member.state, member.hysteretic_force) = (ahead.state, ahead.hysteretic_force);
         }

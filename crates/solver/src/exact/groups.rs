@@ -2,6 +2,7 @@
 
 use std::ops::Range;
 
+use crate::Relation;
 use crate::exact::contact::{Link, PairState, System};
 use crate::exact::tie::Tie;
 use crate::model::incidence::Incidence;
@@ -13,7 +14,7 @@ pub(super) struct Groups {
     pub(super) body_of: Vec<usize>,
     /// Nodes, body by body.
     nodes: Vec<usize>,
-    /// Nodes of bodies that stand on a floor, or whose columns yield smoothly.
+    /// Nodes of bodies that stand on a floor, are linked, or whose columns yield smoothly.
     followed: Vec<usize>,
     /// Blocks of nodes at rest, for chains only.
     blocks: Vec<Block>,
@@ -23,10 +24,14 @@ pub(super) struct Groups {
     pairs: Vec<usize>,
     /// Pairs that touch a body or are inside it.
     around: Vec<usize>,
+    /// Links of bodies.
+    linked: Vec<usize>,
+    /// The ends of every link.
+    links: Vec<Relation>,
     /// Places of the lists of each body, by its first node.
     places: Vec<Places>,
-    /// Links from which the lists were made.
-    links: Vec<LinkKind>,
+    /// How pairs were joined when the lists were made.
+    joins: Vec<LinkKind>,
     /// The next node of the body, by node; the last node points to itself.
     next: Vec<usize>,
     pub(super) is_chain: bool,
@@ -107,6 +112,7 @@ struct Places {
     blocks: Range<usize>,
     pairs: Range<usize>,
     around: Range<usize>,
+    links: Range<usize>,
 }
 
 /// One body.
@@ -122,7 +128,7 @@ impl<'a> Group<'a> {
         &self.groups.nodes[self.places.nodes.clone()]
     }
 
-    /// Nodes that stand on a floor, or whose columns yield smoothly.
+    /// Nodes that stand on a floor, are linked, or whose columns yield smoothly.
     #[inline]
     pub(super) fn followed(self) -> &'a [usize] {
         &self.groups.followed[self.places.followed.clone()]
@@ -137,6 +143,12 @@ impl<'a> Group<'a> {
     #[inline]
     pub(super) fn pairs(self) -> &'a [usize] {
         &self.groups.pairs[self.places.pairs.clone()]
+    }
+
+    /// Links inside.
+    #[inline]
+    pub(super) fn links(self) -> &'a [usize] {
+        &self.groups.linked[self.places.links.clone()]
     }
 
     /// Pairs at rest of the body, in a row that is no chain.
@@ -172,14 +184,15 @@ impl PairState {
 }
 
 impl Groups {
-    /// Bodies of a row in which nothing touches.
-    pub(super) fn new(system: System<'_>, is_chain: bool) -> Self {
+    /// Bodies of a row in which nothing touches, with the ends of its links.
+    pub(super) fn new(system: System<'_>, links: Vec<Relation>, is_chain: bool) -> Self {
         let n = system.members.len();
         let mut groups = Self {
             body_of: vec![0; n],
             ties: vec![None; n],
             places: vec![Places::default(); n],
             next: vec![0; n],
+            links,
             is_chain,
             ..Self::default()
         };
@@ -190,14 +203,15 @@ impl Groups {
     /// Updates the bodies if the links have changed.
     pub(super) fn update(&mut self, system: System<'_>) {
         let same = |(kind, contact): (&LinkKind, &PairState)| *kind == contact.kind();
-        if !self.links.iter().zip(system.contacts).all(same) {
+        if !self.joins.iter().zip(system.contacts).all(same) {
             self.rebuild(system);
         }
     }
 
     fn rebuild(&mut self, system: System<'_>) {
-        self.links.clear();
-        self.links.extend(system.contacts.iter().map(PairState::kind));
+        self.linked.clear();
+        self.joins.clear();
+        self.joins.extend(system.contacts.iter().map(PairState::kind));
         self.unite(system);
         self.nodes.clear();
         self.followed.clear();
@@ -222,8 +236,15 @@ impl Groups {
                 self.join(storey.below, node);
             }
         }
+        for link in 0..self.links.len() {
+            let relation = self.links[link];
+            let mut floors = relation.pushes().map(|(floor, _)| floor);
+            if let (Some(left), Some(right)) = (floors.next(), floors.next()) {
+                self.join(left, right);
+            }
+        }
         for (pair, contact) in contacts.iter().enumerate() {
-            if self.links[pair] != LinkKind::Apart {
+            if self.joins[pair] != LinkKind::Apart {
                 let [left, right] = contact.floors();
                 self.join(left, right);
             }
@@ -277,12 +298,34 @@ impl Groups {
             blocks: range(2),
             pairs: range(3),
             around: range(4),
+            links: self.list_links(first),
         };
         if !self.is_chain {
             let pairs = self.pairs[range(3)].iter().copied();
-            let resting = pairs.filter(|pair| self.links[*pair] == LinkKind::Resting);
+            let resting = pairs.filter(|pair| self.joins[*pair] == LinkKind::Resting);
             self.ties[first] = Tie::of(resting.collect(), system);
         }
+    }
+
+    /// Lists the links of the body with this first node.
+    fn list_links(&mut self, first: usize) -> Range<usize> {
+        let start = self.linked.len();
+        for (index, link) in self.links.iter().enumerate() {
+            let mut floors = link.pushes().map(|(floor, _)| floor);
+            if floors.any(|floor| self.body_of[floor] == first) {
+                self.linked.push(index);
+            }
+        }
+        start..self.linked.len()
+    }
+
+    /// Places of the links of a body, for [`Self::link`].
+    pub(super) fn links_of(&self, first: usize) -> Range<usize> {
+        self.places[first].links.clone()
+    }
+
+    pub(super) fn link(&self, place: usize) -> usize {
+        self.linked[place]
     }
 
     fn lengths(&self) -> [usize; 5] {
@@ -298,7 +341,7 @@ impl Groups {
     fn add(&mut self, node: usize, system: System<'_>) {
         let member = &system.members[node];
         self.nodes.push(node);
-        if member.storey.is_some() || member.bend.is_some() {
+        if member.storey.is_some() || member.bend.is_some() || member.linked.is_some() {
             self.followed.push(node);
         }
         for at in system.incidence.at(node) {
@@ -311,7 +354,7 @@ impl Groups {
             };
             if first {
                 self.around.push(at.pair);
-                if at.on_left && self.links[at.pair] != LinkKind::Apart {
+                if at.on_left && self.joins[at.pair] != LinkKind::Apart {
                     self.pairs.push(at.pair);
                 }
             }
@@ -324,9 +367,9 @@ impl Groups {
     /// Adds a node of a chain to the block of the node before it if they rest, or begins a block.
     fn extend_blocks(&mut self, node: usize, incidence: &Incidence) {
         let [left, right] = beside(incidence, node);
-        let pushing = |pair: &usize| self.links[*pair] == LinkKind::Touching;
+        let pushing = |pair: &usize| self.joins[*pair] == LinkKind::Touching;
         let (from_left, from_right) = (left.filter(pushing), right.filter(pushing));
-        let rests = left.is_some_and(|pair| self.links[pair] == LinkKind::Resting);
+        let rests = left.is_some_and(|pair| self.joins[pair] == LinkKind::Resting);
         match self.blocks.last_mut() {
             Some(block) if rests => (block.last, block.right) = (node, from_right),
             Some(_) | None => self.blocks.push(Block {

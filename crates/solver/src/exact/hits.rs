@@ -72,9 +72,13 @@ impl Hit {
 }
 
 impl Moving<'_> {
-    fn share_a_building(&self, a: &Hit, b: &Hit) -> bool {
+    fn share_a_building(&self, body: impl Fn(&usize) -> usize, a: &Hit, b: &Hit) -> bool {
         let building = |node: &usize| self.buildings.of(*node);
-        let shared = |node: &usize| b.nodes.iter().any(|other| building(other) == building(node));
+        let shared = |node: &usize| {
+            b.nodes
+                .iter()
+                .any(|other| building(other) == building(node) || body(other) == body(node))
+        };
         a.nodes.iter().any(shared)
     }
 }
@@ -105,7 +109,12 @@ impl<R: Recorder> ExactRun<'_, R> {
         let hit = self.hit(self.chain_from(pair, time), time);
         let mut next = pair + hit.pairs.len();
         let mut hits = vec![hit];
-        if self.moving.members.iter().all(|member| member.storey.is_none()) {
+        if self
+            .moving
+            .members
+            .iter()
+            .all(|member| member.storey.is_none() && member.linked.is_none())
+        {
             return Ok(hits);
         }
         let mut others = Vec::new();
@@ -118,7 +127,8 @@ impl<R: Recorder> ExactRun<'_, R> {
                 next += 1;
             }
         }
-        let shares = |hit: &Hit, other: &Hit| self.moving.share_a_building(hit, other);
+        let body = |node: &usize| self.touching.groups.body_of[*node];
+        let shares = |hit: &Hit, other: &Hit| self.moving.share_a_building(body, hit, other);
         hang(&mut hits, others, shares, || self.agenda.guard.wait(time))?;
         hits.sort_by_key(|hit| hit.pairs[0]);
         Ok(hits)

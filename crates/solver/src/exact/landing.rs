@@ -68,6 +68,7 @@ impl<R: Recorder> ExactRun<'_, R> {
             let member = &mut self.moving.members[node];
             (member.state, member.hysteretic_force) = (end, hysteretic);
         }
+        self.land_links(first, x, later, if full { &events } else { &[] });
         for place in self.touching.groups.around(first) {
             self.refresh_deformation(self.touching.groups.pair(place), time);
         }
@@ -174,6 +175,14 @@ impl<R: Recorder> ExactRun<'_, R> {
                 contact.pushes(push, body, x);
             }
         }
+        let mut linked = Room::default();
+        let links = linked.of(self.moving.linking.at(node));
+        for push in links.iter_mut() {
+            let series = &self.moving.links[push.pair].force[..body.len];
+            push.forces = [series[0], value(series, x)];
+            push.impulse = integral(series, body.power, x);
+            push.series = series;
+        }
         // Used only if several pairs push.
         let [left, right] = &mut [None, None];
         let (left, right) = (side(pushes, false, left), side(pushes, true, right));
@@ -209,8 +218,26 @@ impl<R: Recorder> ExactRun<'_, R> {
                 }),
             },
             pushes,
+            links,
         };
         self.recorder.span(&span);
+    }
+
+    /// Takes the states of links at x, the end of a piece, and changes their branches.
+    fn land_links(&mut self, first: usize, x: f64, later: bool, events: &[Event]) {
+        let len = self.moving.bodies[first].len;
+        for place in self.touching.groups.links_of(first) {
+            let link = self.touching.groups.link(place);
+            self.moving.links[link].land(len, x, later);
+        }
+        for event in events {
+            match *event {
+                Event::Link(link, branch) => self.moving.links[link].go_to(branch, len, x),
+                Event::FlowTurns(link) => self.moving.links[link].pass_zero(),
+                Event::LinkTurns(link) | Event::LinkPeaks(link) => self.moving.links[link].note(event),
+                _ => {}
+            }
+        }
     }
 }
 

@@ -2,6 +2,7 @@
 
 use crate::exact::bend::Bend;
 use crate::exact::columns::{Branch, LoadingLine, LoopConstants};
+use crate::exact::links::Linked;
 use crate::model::excitation::Segment;
 use crate::roots::CAPACITY;
 use crate::{Flight, Floor, Hysteresis, Hysteretic, Knee, Row, State, Support};
@@ -63,6 +64,8 @@ pub(super) struct Member {
     pub(super) above: Option<usize>,
     /// The storey below, for a floor that stands on another floor.
     pub(super) storey: Option<Box<Upper>>,
+    /// The forces of its links; `None` if it has none.
+    pub(super) linked: Option<Box<Linked>>,
     /// Whether the member is neither tied to another floor nor yields smoothly: the force of its columns is then a line over the
     /// displacement.
     pub(super) plain: bool,
@@ -142,6 +145,7 @@ impl Member {
             ground_damping,
             above: row.above(node),
             storey,
+            linked: Linked::at(row, node),
             plain: true,
             stiffness,
             hardened_stiffness,
@@ -192,9 +196,9 @@ impl Member {
         self.inverse_mass == 0.0
     }
 
-    /// Whether it stands on a floor or carries one.
+    /// Whether it stands on a floor, carries one, or is linked.
     pub(super) fn is_tied(&self) -> bool {
-        self.storey.is_some() || self.above.is_some()
+        self.storey.is_some() || self.above.is_some() || self.linked.is_some()
     }
 
     /// Whether its columns take another path when the drift turns.
@@ -334,7 +338,7 @@ pub(super) fn with_below(members: &mut [Member], node: usize) -> Option<(&mut Me
     Some((member, below))
 }
 
-/// The rate ρ with ρ² = ρ C + K, where C and K are the sums of the magnitudes in a row of M⁻¹C and M⁻¹K.
+/// The rate ρ with ρ² = ρ C + K, where C and K are the sums of the magnitudes in a row of M⁻¹C and M⁻¹K; more by that of links that relax.
 ///
 /// With ρ the largest rate of its members, the coefficients of the motion of a body fall at least like ρⁿ/n!.
 fn fastest_rate<Column: Hysteretic>(row: &Row<Column>, node: usize) -> f64 {
@@ -364,8 +368,14 @@ fn fastest_rate<Column: Hysteretic>(row: &Row<Column>, node: usize) -> f64 {
         damping += 2.0 * nodes[above].damping;
         stiffness += 2.0 * steepest(above);
     }
+    let mut relaxation = 0.0;
+    if let Some(linked) = Linked::at(row, node) {
+        damping += 2.0 * linked.damping;
+        stiffness += 2.0 * linked.stiffness;
+        relaxation = linked.relaxation;
+    }
     let (damping, stiffness) = (damping * floor.inverse_mass, stiffness * floor.inverse_mass);
-    0.5 * (damping + (damping * damping + 4.0 * stiffness).sqrt())
+    relaxation + 0.5 * (damping + (damping * damping + 4.0 * stiffness).sqrt())
 }
 
 impl Upper {

@@ -24,6 +24,7 @@ mod groups;
 mod hits;
 mod impacts;
 mod landing;
+mod links;
 mod look_ahead;
 mod member;
 mod noise;
@@ -56,6 +57,7 @@ pub use flight::LONGEST as LONGEST_LEAP;
 use groups::Groups;
 use impacts::Chain;
 pub use impacts::SimultaneousImpacts;
+use links::LinkState;
 use member::Member;
 pub use rounding::OF_COEFFICIENTS as ROUNDING_OF_COEFFICIENTS;
 use shaking::Shaking;
@@ -120,6 +122,9 @@ struct ExactRun<'a, R> {
 /// The moving parts: floors and walls, and the pieces of their motion.
 struct Moving<'a> {
     members: Vec<Member>,
+    links: Vec<LinkState>,
+    /// Incidence of links and nodes.
+    linking: &'a Incidence,
     /// Number of walls.
     walls: usize,
     buildings: &'a Buildings,
@@ -133,10 +138,12 @@ struct Moving<'a> {
 
 impl<'a> Moving<'a> {
     /// The state at t = 0: every body waits for its first piece.
-    fn new(members: Vec<Member>, buildings: &'a Buildings, step: f64) -> Self {
+    fn new<Column: Hysteretic>(row: &'a Row<Column>, members: Vec<Member>, links: Vec<LinkState>, step: f64) -> Self {
         Self {
+            links,
+            linking: row.linking(),
             walls: members.iter().filter(|member| member.is_wall()).count(),
-            buildings,
+            buildings: row.buildings(),
             bodies: vec![Body::at_start(); members.len()],
             landed: vec![true; members.len()],
             flights: Flights::new(&members, step),
@@ -233,12 +240,13 @@ pub(crate) fn run<Column: Hysteretic, R: Recorder>(
         contacts: &contacts,
         incidence: row.incidence(),
     };
-    let groups = Groups::new(system, row.is_chain());
+    let links = LinkState::of(row)?;
+    let groups = Groups::new(system, links.iter().map(|link| link.relation).collect(), row.is_chain());
     guard.wait(0.0)?;
     let mut run = ExactRun {
         settings,
         shaking: Shaking::new(excitation, row.travel(excitation)),
-        moving: Moving::new(members, row.buildings(), excitation.time_step()),
+        moving: Moving::new(row, members, links, excitation.time_step()),
         touching: Touching::new(contacts, row.incidence(), groups),
         agenda: Agenda {
             clock: LocalClock::new(excitation.sampling()),

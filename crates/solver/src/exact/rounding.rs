@@ -26,7 +26,7 @@ pub(super) fn noise(members: &[Member], relation: Relation, values: [f64; 2], p:
 pub(super) fn weighed(point: Point, magnitude: impl Fn(usize) -> f64) -> f64 {
     match point {
         Point::Floor(floor) => magnitude(floor),
-        Point::Share(_) => point.parts().map(|(floor, part)| part * magnitude(floor)).sum(),
+        Point::Share(_) | Point::Ground(_) => point.parts().map(|(floor, part)| part * magnitude(floor)).sum(),
     }
 }
 

@@ -7,6 +7,7 @@
 
 use crate::exact::contact::{Link, PairState};
 use crate::exact::groups::{Block, Group, Lighter, Side};
+use crate::exact::links::LinkState;
 use crate::exact::member::Member;
 use crate::exact::storey::{self, own_force};
 use crate::exact::tie::Tie;
@@ -18,9 +19,9 @@ pub(super) fn expand(
     group: Group<'_>,
     members: &mut [Member],
     contacts: &mut [PairState],
+    links: &mut [LinkState],
     incidence: &Incidence,
-    power: Power,
-    len: usize,
+    (power, len): (Power, usize),
 ) {
     let p = power.order();
     let (nodes, followed, pairs) = (group.nodes(), group.followed(), group.pairs());
@@ -36,6 +37,9 @@ pub(super) fn expand(
     for n in 0..len {
         if !followed.is_empty() {
             storey::follow(members, followed, p, n);
+        }
+        for link in group.links() {
+            links[*link].find(members, p, n);
         }
         for pair in pairs {
             let contact = &mut contacts[*pair];

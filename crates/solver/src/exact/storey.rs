@@ -7,6 +7,9 @@ use crate::roots::CAPACITY;
 pub(super) fn begin(members: &mut [Member], nodes: &[usize]) {
     for node in nodes {
         let member = &mut members[*node];
+        if let Some(linked) = &mut member.linked {
+            (linked.against, linked.magnitude) = ([0.0; CAPACITY], 0.0);
+        }
         if let Some(storey) = &mut member.storey {
             (storey.drift, storey.rate) = ([0.0; CAPACITY], [0.0; CAPACITY]);
         }
@@ -65,19 +68,21 @@ pub(super) fn need(members: &[Member], node: usize, p: usize, n: usize) -> f64 {
     inertia + own_force(members, node, n)
 }
 
-/// Force of the ground damper and of the storey above, which adds to that of a floor's storey.
+/// Force of the ground damper, of the storey above and of links, which adds to that of a floor's storey.
 fn tie(members: &[Member], member: &Member, n: usize) -> f64 {
     let ground = member.ground_damping * member.velocity[n];
-    member.above.map_or(ground, |above| {
+    let storeys = member.above.map_or(ground, |above| {
         let above = &members[above];
         ground - (above.damping * above.drift_rate()[n] + above.restoring_force(n))
-    })
+    });
+    member.linked.as_ref().map_or(storeys, |linked| storeys + linked.against[n])
 }
 
 /// Magnitude of the terms of damping and column forces on a node \[N\]. A restoring force near zero has the rounding of its amplitude.
 pub(super) fn magnitude(members: &[Member], node: usize) -> f64 {
     let member = &members[node];
-    let own = storey_magnitude(members, member);
+    let linked = member.linked.as_ref().map_or(0.0, |linked| linked.magnitude);
+    let own = storey_magnitude(members, member) + linked;
     let Some(above) = member.above else {
         return own;
     };

@@ -2,6 +2,7 @@
 
 use crate::exact::columns::{Branch, LoadingLine};
 use crate::exact::contact::{Link, PairState, Phase};
+use crate::exact::links::Branch as LinkBranch;
 use crate::exact::member::Member;
 use crate::exact::{ExactRun, Touching};
 use crate::roots::{CAPACITY, LOST, SHORTEST_WAY, first_root};
@@ -37,6 +38,14 @@ pub(super) enum Event {
     Grip(usize),
     /// A pair parts.
     Part(usize),
+    /// A link changes its branch.
+    Link(usize, LinkBranch),
+    /// The force of a braced damper passes through zero.
+    FlowTurns(usize),
+    /// The rate of deformation of a link changes sign.
+    LinkTurns(usize),
+    /// The force of a link has an extremum.
+    LinkPeaks(usize),
 }
 
 impl Event {
@@ -61,7 +70,7 @@ pub(super) struct Watch {
 
 impl Watch {
     /// Searches for a rise of the polynomial with these coefficients through zero.
-    fn rise(&mut self, len: usize, coefficient: impl Fn(usize) -> f64, event: Event) {
+    pub(super) fn rise(&mut self, len: usize, coefficient: impl Fn(usize) -> f64, event: Event) {
         let mut polynomial = [0.0; CAPACITY];
         for (n, place) in polynomial[..len].iter_mut().enumerate() {
             *place = coefficient(n);
@@ -72,7 +81,7 @@ impl Watch {
     }
 
     /// Searches for a change of sign. A zero that is `known` to be at the start does not count.
-    fn change_of(&mut self, len: usize, known: bool, coefficient: impl Fn(usize) -> f64, event: Event) {
+    pub(super) fn change_of(&mut self, len: usize, known: bool, coefficient: impl Fn(usize) -> f64, event: Event) {
         let mut polynomial = [0.0; CAPACITY];
         for (n, place) in polynomial[..len].iter_mut().enumerate() {
             *place = coefficient(n);
@@ -167,6 +176,11 @@ impl<R: Recorder> ExactRun<'_, R> {
                 watch.change_of(len - 1, member.peaked, slope, Event::Extremum(node));
             }
         }
+        for &link in group.links() {
+            self.agenda.guard.wait(time)?;
+            let order = watch.power.order();
+            self.moving.links[link].watch(watch, link, &self.moving.members, order, len);
+        }
         for pair in group.pairs() {
             self.agenda.guard.wait(time)?;
             self.touching.watch_pair(watch, *pair, len);
@@ -200,8 +214,9 @@ impl<R: Recorder> ExactRun<'_, R> {
                     storey.still = true;
                 }
             }
-            // The recorder sees the drift, and the run ends.
-            Event::Cross(_) | Event::Fall => {}
+            // The recorder sees the drift of a fall, and the run ends.
+            // The state of a link changes with that of its body.
+            Event::Cross(_) | Event::Fall | Event::Link(..) | Event::FlowTurns(_) | Event::LinkTurns(_) | Event::LinkPeaks(_) => {}
             Event::Yield(node, branch) => {
                 let member = &mut self.moving.members[node];
                 (member.branch, member.line) = (branch, LoadingLine::Shifted);

@@ -8,6 +8,7 @@
 //! acceleration in the middle of a step is taken from the record.
 
 use crate::impact::impacts::Impacts;
+use crate::link_forces::LinkForces;
 use crate::march::{ClockStep, Stepping, march};
 use crate::model::approach::Approaches;
 use crate::model::ground::Ground;
@@ -75,6 +76,8 @@ struct Scratch<Memory> {
     pushes: Pushes,
     approaches: Approaches,
     impacts: Impacts,
+    /// `None` if the row has no links.
+    links: Option<LinkForces>,
 }
 
 /// Integrates a row. Every method has a `run` function with these arguments.
@@ -113,6 +116,7 @@ impl<Memory: Copy> Scratch<Memory> {
             pushes: Pushes::new(row.incidence()),
             approaches: Approaches::new(row.pairs().len()),
             impacts: Impacts::new(row),
+            links: LinkForces::of(row, &states, ground),
             states,
             memories,
         }
@@ -124,6 +128,11 @@ impl<Memory: Copy> Scratch<Memory> {
         self.slopes.fill((0.0, 0.0));
         self.pushes.pass();
         self.pushes.begin();
+        if let Some(links) = &mut self.links {
+            links.pull(row, &self.stages, ground[0], 0.0, false);
+            links.pushes.pass();
+            links.pushes.begin();
+        }
         self.weigh_stage(row, 0, ground[0]);
         for (stage, ahead, ground) in [(1, 0.5 * dt, ground[1]), (2, 0.5 * dt, ground[1]), (3, dt, ground[2])] {
             for (stage, state) in self.stages.iter_mut().zip(&self.states) {
@@ -131,6 +140,9 @@ impl<Memory: Copy> Scratch<Memory> {
                 stage.velocity = state.velocity + ahead * stage.acceleration;
             }
             self.push(row, ground);
+            if let Some(links) = &mut self.links {
+                links.pull(row, &self.stages, ground, ahead, false);
+            }
             for (index, (node, memory)) in row.nodes().iter().zip(&self.memories).enumerate() {
                 // The memory of the columns after a stage is discarded.
                 let drift = row.drift(index, &self.stages);
@@ -149,8 +161,12 @@ impl<Memory: Copy> Scratch<Memory> {
     /// Computes the accelerations of a stage from equilibrium, adds its slopes and keeps its loads.
     fn weigh_stage<Column: RestoringForce>(&mut self, row: &Row<Column>, index: usize, ground: Ground<'_>) {
         self.pushes.add(WEIGHTS[index]);
+        if let Some(links) = &mut self.links {
+            links.pushes.add(WEIGHTS[index]);
+        }
         for (node, (slopes, loads)) in self.slopes.iter_mut().zip(&mut self.loads).enumerate() {
-            let load = row.load(node, &self.stages, ground.under(node));
+            let mut load = row.load(node, &self.stages, ground.under(node));
+            load.links = self.links.as_ref().map_or(0.0, |links| links.on(node));
             let stage = &mut self.stages[node];
             stage.acceleration = row.acceleration_under(node, &load);
             slopes.0 += WEIGHTS[index] * stage.velocity;
@@ -175,6 +191,10 @@ impl<Memory: Copy> Scratch<Memory> {
         }
         self.pushes.scale(sixth);
         self.push(row, ground);
+        if let Some(links) = &mut self.links {
+            links.pushes.scale(sixth);
+            links.pull(row, &self.stages, ground, step.clock.time_step, true);
+        }
         self.approaches.forget_parted(row.pairs(), &self.stages, ground);
         for (structure, node) in row.nodes().iter().enumerate() {
             if !self.stages[structure].displacement.is_finite() {
@@ -186,7 +206,9 @@ impl<Memory: Copy> Scratch<Memory> {
             self.memories[structure] = response.memory;
         }
         for node in 0..self.stages.len() {
-            self.stages[node].acceleration = row.acceleration(node, &self.stages, ground.under(node));
+            let mut load = row.load(node, &self.stages, ground.under(node));
+            load.links = self.links.as_ref().map_or(0.0, |links| links.on(node));
+            self.stages[node].acceleration = row.acceleration_under(node, &load);
         }
         let (starts, ends) = (&self.states, &self.stages);
         for (structure, (start, end)) in starts.iter().zip(ends).enumerate() {
@@ -198,6 +220,9 @@ impl<Memory: Copy> Scratch<Memory> {
             let mut span = Span::step(recorder.reads_weighed(), structure, times, [*start, *end], weights, loads);
             span.below = row.below(structure, [starts, ends]);
             span.pushes = self.pushes.of(row.incidence().slots_at(structure));
+            if let Some(links) = &self.links {
+                span.links = links.pushes.of(row.linking().slots_at(structure));
+            }
             recorder.span(&span);
         }
         self.states.copy_from_slice(&self.stages);

@@ -104,7 +104,7 @@ impl<Column: RestoringForce> Row<Column> {
     pub(crate) fn acceleration_under(&self, node: usize, load: &Load) -> f64 {
         let node = &self.nodes()[node];
         let ground = if node.is_wall() { 0.0 } else { load.ground };
-        let force = load.from_left + load.from_right - load.damping - load.restoring;
+        let force = load.from_left + load.from_right + load.links - load.damping - load.restoring;
         node.inverse_mass * force - ground
     }
 

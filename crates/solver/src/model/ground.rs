@@ -1,7 +1,7 @@
 //! The ground at an instant, for stepping methods.
 
 use crate::model::travel::Travel;
-use crate::{Clock, Excitation, Motion, Pair, State};
+use crate::{Clock, Excitation, Motion, Pair, Relation, State};
 
 /// The ground motion of a run, chosen once.
 pub(crate) enum Shaking<'a> {
@@ -124,9 +124,15 @@ impl Ground<'_> {
     /// How far the grounds of a pair have moved towards each other, and at which rate; 0 if they move alike.
     #[inline]
     pub(crate) fn opening(self, pair: &Pair) -> Motion {
+        self.opening_of(&pair.relation)
+    }
+
+    /// How far the grounds of two points have moved towards each other, and at which rate; 0 if they move alike.
+    #[inline]
+    pub(crate) fn opening_of(self, relation: &Relation) -> Motion {
         match self {
             Self::Common(_) => Motion::default(),
-            Self::Delayed { of, step, part } => of.opening(pair, step, part),
+            Self::Delayed { of, step, part } => of.opening(relation, step, part),
         }
     }
 
@@ -135,7 +141,7 @@ impl Ground<'_> {
     pub(crate) fn extent(self, pair: &Pair) -> Motion {
         match self {
             Self::Common(_) => Motion::default(),
-            Self::Delayed { of, step, part } => of.extent(pair, step, part),
+            Self::Delayed { of, step, part } => of.extent(&pair.relation, step, part),
         }
     }
 
@@ -159,21 +165,21 @@ impl Delayed<'_> {
         if part > 0.0 { start + part * (at(step + 1) - start) } else { start }
     }
 
-    fn grounds(&self, pair: &Pair, step: usize, part: f64) -> [Motion; 2] {
+    fn grounds(&self, relation: &Relation, step: usize, part: f64) -> [Motion; 2] {
         let position = (step as f64 + part) * self.ratio;
         let under = |node: usize| self.travel.at(position - self.arrivals[node]);
-        [under(pair.left()), under(pair.right())]
+        relation.points().map(|point| under(point.floor()))
     }
 
     #[inline(never)]
-    fn opening(&self, pair: &Pair, step: usize, part: f64) -> Motion {
-        let [left, right] = self.grounds(pair, step, part);
+    fn opening(&self, relation: &Relation, step: usize, part: f64) -> Motion {
+        let [left, right] = self.grounds(relation, step, part);
         left.since(right)
     }
 
     #[inline(never)]
-    fn extent(&self, pair: &Pair, step: usize, part: f64) -> Motion {
-        let [left, right] = self.grounds(pair, step, part);
+    fn extent(&self, relation: &Relation, step: usize, part: f64) -> Motion {
+        let [left, right] = self.grounds(relation, step, part);
         Motion {
             displacement: left.displacement.abs() + right.displacement.abs(),
             velocity: left.velocity.abs() + right.velocity.abs(),

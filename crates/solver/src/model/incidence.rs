@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use crate::Pair;
+use crate::Relation;
 
 /// A pair at a floor that carries a point of the pair.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -14,7 +14,7 @@ pub(crate) struct Incident {
     pub(crate) part: f64,
 }
 
-/// The pairs at every floor, and the floors of every pair.
+/// The pairs at every floor, and the floors of every pair; or the same of links.
 ///
 /// A slot is a combination of both: a floor that carries a point of a pair.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -31,7 +31,7 @@ pub(crate) struct Incidence {
 
 impl Incidence {
     /// Finds the incidence of other floors and pairs, with reuse of memory.
-    pub(crate) fn renew(&mut self, n_floors: usize, pairs: &[Pair]) {
+    pub(crate) fn renew(&mut self, n_floors: usize, relations: impl Iterator<Item = Relation> + Clone) {
         let Self {
             incidents,
             of_floor,
@@ -40,12 +40,11 @@ impl Incidence {
         } = self;
         of_floor.clear();
         of_floor.resize(n_floors + 1, 0);
-        let (mut n_slots, parts) = (0, |pair: &Pair| {
-            let relation = pair.relation;
+        let (mut n_slots, parts) = (0, |relation: Relation| {
             let left = relation.left.parts().map(|part| (true, part));
             left.chain(relation.right.parts().map(|part| (false, part)))
         });
-        for (_, (floor, _)) in pairs.iter().flat_map(parts) {
+        for (_, (floor, _)) in relations.clone().flat_map(parts) {
             of_floor[floor + 1] += 1;
             n_slots += 1;
         }
@@ -62,8 +61,8 @@ impl Incidence {
         slots.clear();
         of_pair.clear();
         of_pair.push(0);
-        for (index, pair) in pairs.iter().enumerate() {
-            for (on_left, (floor, part)) in parts(pair) {
+        for (index, relation) in relations.enumerate() {
+            for (on_left, (floor, part)) in parts(relation) {
                 // Filling moves the start of the floor, which is restored below.
                 let slot = of_floor[floor];
                 of_floor[floor] += 1;

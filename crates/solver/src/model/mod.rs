@@ -12,6 +12,7 @@ pub(crate) mod excitation;
 pub(crate) mod ground;
 pub(crate) mod incidence;
 pub(crate) mod levels;
+pub(crate) mod link;
 pub(crate) mod mixed;
 pub(crate) mod modes;
 pub(crate) mod node;

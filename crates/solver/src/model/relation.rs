@@ -11,6 +11,8 @@ pub enum Point {
     Floor(usize),
     /// On the columns between two floors.
     Share(Share),
+    /// On the ground under a node; for links only.
+    Ground(usize),
 }
 
 /// A point on the columns between two floors; [`Point::between`] makes it.
@@ -112,7 +114,7 @@ impl Point {
             nodes.get(floor).ok_or(fault)
         };
         let Share { base, other, lean } = match self {
-            Self::Floor(floor) => return known(floor).map(|_| ()),
+            Self::Floor(floor) | Self::Ground(floor) => return known(floor).map(|_| ()),
             Self::Share(share) => share,
         };
         for floor in base.into_iter().chain(other) {
@@ -131,10 +133,10 @@ impl Point {
         Ok(())
     }
 
-    /// The floor with which the point moves, wholly or most.
+    /// The floor with which the point moves, wholly or most; for a point on the ground, the node above it.
     pub fn floor(self) -> usize {
         match self {
-            Self::Floor(floor) => floor,
+            Self::Floor(floor) | Self::Ground(floor) => floor,
             // A point between the ground and the ground is refused by every row.
             Self::Share(Share { base, other, .. }) => base.or(other).unwrap_or(usize::MAX),
         }
@@ -145,6 +147,7 @@ impl Point {
     pub fn of(self, quantity: impl Fn(usize) -> f64) -> f64 {
         match self {
             Self::Floor(floor) => quantity(floor),
+            Self::Ground(_) => 0.0,
             Self::Share(Share { base, other, lean }) => {
                 let [base, other] = [base, other].map(|floor| floor.map_or(0.0, &quantity));
                 base + lean * (other - base)
@@ -157,6 +160,7 @@ impl Point {
     pub fn parts(self) -> impl Iterator<Item = (usize, f64)> + Clone {
         let parts = match self {
             Self::Floor(floor) => [Some((floor, 1.0)), None],
+            Self::Ground(_) => [None, None],
             Self::Share(Share { base, other, lean }) => [base.map(|floor| (floor, 1.0 - lean)), other.map(|floor| (floor, lean))],
         };
         parts.into_iter().flatten()
@@ -167,6 +171,7 @@ impl Point {
     pub fn spread(self, force: f64, mut give: impl FnMut(usize, f64)) {
         match self {
             Self::Floor(floor) => give(floor, force),
+            Self::Ground(_) => {}
             Self::Share(Share { base, other, lean }) => {
                 let to_other = lean * force;
                 if let Some(base) = base {
@@ -184,7 +189,7 @@ impl Point {
     pub fn mobility(self, inverse_mass: impl Fn(usize) -> f64) -> f64 {
         match self {
             Self::Floor(floor) => inverse_mass(floor),
-            Self::Share(_) => self.parts().map(|(floor, part)| part * part * inverse_mass(floor)).sum(),
+            Self::Share(_) | Self::Ground(_) => self.parts().map(|(floor, part)| part * part * inverse_mass(floor)).sum(),
         }
     }
 }

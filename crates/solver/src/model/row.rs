@@ -1,7 +1,7 @@
 use crate::model::buildings::Buildings;
 use crate::model::ground::{Ground, Shaking};
 use crate::model::incidence::Incidence;
-use crate::{Clock, Excitation, ModelError, Node, Pair, Point, RestoringForce, State, Travel};
+use crate::{Clock, Excitation, Link, LinkFault, ModelError, Node, Pair, Point, PointFault, RestoringForce, State, Travel};
 use pounding_contact::reduced_mass;
 
 /// The model: floors, level by level and from left to right in each level, and the pairs of points that can touch.
@@ -15,6 +15,9 @@ pub struct Row<Column> {
     pairs: Vec<Pair>,
     /// Incidence of pairs and nodes.
     incidence: Incidence,
+    links: Vec<Link>,
+    /// Incidence of links and nodes.
+    linking: Incidence,
     /// Arrival of the ground motion at every node \[s\]; `None` if it arrives everywhere at t = 0.
     arrivals: Option<Vec<f64>>,
 }
@@ -42,6 +45,8 @@ impl<Column: RestoringForce> Row<Column> {
             buildings: Buildings::default(),
             pairs,
             incidence: Incidence::default(),
+            links: Vec::new(),
+            linking: Incidence::default(),
             arrivals: None,
         };
         unchecked.checked()
@@ -60,6 +65,7 @@ impl<Column: RestoringForce> Row<Column> {
         self.nodes.extend(nodes);
         self.pairs.clear();
         self.pairs.extend(pairs);
+        self.links.clear();
         self.arrivals = None;
         self.checked()
     }
@@ -79,7 +85,8 @@ impl<Column: RestoringForce> Row<Column> {
                 return Err(ModelError::OverlapsAtStart { pair: index, overlap });
             }
         }
-        self.incidence.renew(nodes.len(), pairs);
+        self.incidence.renew(nodes.len(), pairs.iter().map(|pair| pair.relation));
+        self.linking.renew(nodes.len(), std::iter::empty());
         Ok(self)
     }
 
@@ -89,9 +96,9 @@ impl<Column: RestoringForce> Row<Column> {
     fn check_points(&self, index: usize, pair: &Pair) -> Result<(), ModelError> {
         let points = pair.relation.points();
         for (side, point) in ["left", "right"].into_iter().zip(points) {
-            point
-                .check(&self.nodes)
-                .map_err(|fault| ModelError::Point { pair: index, side, fault })?;
+            let on_ground = matches!(point, Point::Ground(_)).then_some(PointFault::NoFloor);
+            let checked = on_ground.map_or_else(|| point.check(&self.nodes), Err);
+            checked.map_err(|fault| ModelError::Point { pair: index, side, fault })?;
         }
         let [left, right] = points.map(Point::floor);
         let walls = [left, right].map(|floor| self.nodes[floor].is_wall());
@@ -107,6 +114,34 @@ impl<Column: RestoringForce> Row<Column> {
             right,
             found,
         })
+    }
+
+    /// The row with these links.
+    ///
+    /// # Errors
+    /// [`ModelError`] if a number of a link is out of range, an end is not in the row, no end is a floor that moves, or both ends are the
+    /// same point.
+    pub fn linked(mut self, links: Vec<Link>) -> Result<Self, ModelError> {
+        for (index, link) in links.iter().enumerate() {
+            let points = link.relation.points();
+            for (side, point) in ["left", "right"].into_iter().zip(points) {
+                point
+                    .check(&self.nodes)
+                    .map_err(|fault| ModelError::LinkEnd { link: index, side, fault })?;
+            }
+            let moves = |(floor, _): (usize, f64)| !self.nodes[floor].is_wall();
+            if points[0] == points[1] || !link.relation.pushes().any(moves) {
+                return Err(ModelError::LinkOfNothing { link: index });
+            }
+            link.law.check().map_err(|LinkFault { field, found, allowed }| ModelError::Link {
+                link: index,
+                field,
+                found,
+                allowed,
+            })?;
+        }
+        self.linking.renew(self.nodes.len(), links.iter().map(|link| link.relation));
+        Ok(Self { links, ..self })
     }
 
     /// Whether the pairs are a chain: each joins a node with the next node, both as floors, in the order of the nodes.
@@ -169,6 +204,16 @@ impl<Column: RestoringForce> Row<Column> {
     /// Incidence of pairs and nodes.
     pub(crate) fn incidence(&self) -> &Incidence {
         &self.incidence
+    }
+
+    /// The links, in their given order.
+    pub fn links(&self) -> &[Link] {
+        &self.links
+    }
+
+    /// Incidence of links and nodes.
+    pub(crate) fn linking(&self) -> &Incidence {
+        &self.linking
     }
 
     /// The buildings that the floors form.

@@ -112,6 +112,7 @@ mod tests {
                     impulse_from_right: 0.0,
                     below: Some([under; 2]),
                     pushes: &[],
+                    links: &[],
                     path: Path::Series(series),
                 });
                 let Peak { value, time } = rates.of(0);

@@ -280,6 +280,7 @@ mod tests {
             impulse_from_left: 0.0,
             impulse_from_right: 0.0,
             pushes: &[],
+            links: &[],
             below: Some([motion(0.0, -0.5), motion(-0.275, -0.5)]),
             path,
         }
@@ -323,6 +324,7 @@ mod tests {
         peaks.span(&Span {
             below: None,
             pushes: &[],
+            links: &[],
             ..step
         });
         assert_eq!(peaks.of(0).storey_drift, None);

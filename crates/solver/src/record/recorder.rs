@@ -183,6 +183,7 @@ impl Span<'_> {
             below: None,
             path: Path::Cubic(weighed),
             pushes: &[],
+            links: &[],
         }
     }
 }

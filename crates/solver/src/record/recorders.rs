@@ -1,8 +1,8 @@
 //! All results that runs can be asked for, in a single recorder.
 
 use crate::{
-    Closings, Collisions, DriftRates, FloorAccelerations, Histories, Impact, LastStates, Ledger, Pair, Peaks, Recorder, Span, Touch,
-    TransferredMomentum,
+    Closings, Collisions, DriftRates, FloorAccelerations, Histories, Impact, LastStates, Ledger, LinkPeaks, Pair, Peaks, Recorder, Span,
+    Touch, TransferredMomentum,
 };
 
 /// The recorders of a run of an [`AnyRow`](crate::AnyRow).
@@ -19,6 +19,8 @@ pub struct Recorders<'l, 'a> {
     pub momentum: TransferredMomentum,
     /// Peak absolute accelerations of every floor, if requested.
     pub accelerations: Option<FloorAccelerations<'a>>,
+    /// Peaks of every link; `None` if the row has none.
+    pub links: Option<LinkPeaks>,
     /// State of every floor at the end, if requested.
     pub last: Option<LastStates>,
     /// Largest closing of neighbours, if requested.
@@ -39,6 +41,7 @@ impl Recorders<'_, '_> {
             collisions: Collisions::new(n_nodes, pairs),
             momentum: TransferredMomentum::new(n_nodes),
             accelerations: None,
+            links: None,
             last: None,
             closings: None,
             drift_rates: None,
@@ -50,7 +53,7 @@ impl Recorders<'_, '_> {
     fn all(&mut self) -> impl Recorder {
         let usual = (&mut self.peaks, &mut self.collisions, &mut self.momentum);
         let asked = (&mut self.ledger, &mut self.accelerations, &mut self.last);
-        let more = (&mut self.closings, &mut self.drift_rates);
+        let more = (&mut self.closings, &mut self.drift_rates, &mut self.links);
         (usual, asked, more, &mut self.histories)
     }
 }

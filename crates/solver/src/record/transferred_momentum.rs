@@ -93,6 +93,7 @@ mod tests {
             below: None,
             path: Path::Cubic(Weighed::default()),
             pushes: &[],
+            links: &[],
         }
     }
 

@@ -213,6 +213,7 @@ fn mirror(row: &Row<Elastic>) -> Row<Elastic> {
     };
     let point = |point: Point| match point {
         Point::Floor(floor) => Point::Floor(opposite(floor)),
+        Point::Ground(floor) => Point::Ground(opposite(floor)),
         Point::Share(Share { base, other, lean }) => Point::Share(Share {
             base: base.map(opposite),
             other: other.map(opposite),

@@ -21,6 +21,7 @@ mod ledger;
 mod ledger_energies;
 mod ledger_faults;
 mod limit;
+mod links;
 mod manuals;
 mod momentum;
 mod moreau_jean;

@@ -31,6 +31,7 @@ fn step(span: &Span<'_>) -> Span<'static> {
         below: span.below,
         path: Path::Cubic(weighed),
         pushes: pushes.collect::<Vec<_>>().leak(),
+        links: &[],
     }
 }
 

@@ -264,6 +264,7 @@ impl<'a, Column: RestoringForce> Stepping<'a, Column> {
                     below: None,
                     path: Path::Cubic(Weighed::default()),
                     pushes: &self.pushes,
+                    links: &[],
                 };
                 seen.span(&span);
                 let acts = |state: State, force: f64| State {

@@ -27,6 +27,7 @@ fn step(structure: usize, times: [f64; 2], path: fn(f64) -> (f64, f64)) -> Span<
         below: None,
         path: Path::Cubic(Weighed::default()),
         pushes: &[],
+        links: &[],
     }
 }
 

@@ -45,6 +45,7 @@ pub(super) struct Acting {
     pub(super) from_left: f64,
     pub(super) from_right: f64,
     impacts: f64,
+    links: f64,
 }
 
 impl Acting {
@@ -56,10 +57,11 @@ impl Acting {
             from_left,
             from_right,
             impacts: 0.0,
+            links: 0.0,
         }
     }
 
-    fn all(&self) -> [f64; 6] {
+    fn all(&self) -> [f64; 7] {
         [
             self.restoring,
             self.damping,
@@ -67,6 +69,7 @@ impl Acting {
             self.from_left,
             self.from_right,
             self.impacts,
+            self.links,
         ]
     }
 
@@ -81,6 +84,7 @@ impl Acting {
         self.from_left += other.from_left;
         self.from_right += other.from_right;
         self.impacts += other.impacts;
+        self.links += other.links;
     }
 }
 
@@ -152,6 +156,21 @@ impl Account {
             self.booked += self.terms.kinetic + 0.5 * (impulse * (before + after)).abs();
             self.momentum = self.mass * after;
         }
+    }
+
+    /// Books the impulse \[N·s\] of a link on the floor, and its work \[J\].
+    pub(super) fn link(&mut self, impulse: f64, work: f64) {
+        if self.mass > 0.0 {
+            self.impulses.links += impulse;
+            self.terms.link -= work;
+            self.booked += work.abs();
+        }
+    }
+
+    /// Books the work on the floor, through a link, of grounds that move towards each other \[J\].
+    pub(super) fn open_link(&mut self, work: f64) {
+        self.terms.opening += work;
+        self.terms.link += work;
     }
 
     /// Books the work on the floor, through compliant contact, of grounds that move towards each other \[J\].
@@ -273,7 +292,7 @@ impl Account {
     /// Change of kinetic energy minus the works \[J\].
     fn identity(&self) -> f64 {
         let terms = &self.terms;
-        let works = self.restoring_work + terms.input + terms.opening - terms.damping - terms.contact - terms.impact;
+        let works = self.restoring_work + terms.input + terms.opening - terms.damping - terms.contact - terms.impact - terms.link;
         terms.kinetic - self.first_kinetic - works
     }
 

@@ -188,6 +188,7 @@ mod tests {
             impulse_from_right: 0.0,
             below: None,
             pushes: &[],
+            links: &[],
             path,
         }
     }

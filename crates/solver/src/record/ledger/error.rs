@@ -92,6 +92,19 @@ pub enum LedgerError {
         /// Impulse on the right structure \[N·s\].
         right: f64,
     },
+    /// A link without opposite impulses at its ends.
+    #[error(
+        "link {link}: found impulses of {left:.3} N s on its left and {right:.3} N s on its right end, allowed are opposite ones; \
+         this is a fault of the method: use another one, and report it"
+    )]
+    LinkImbalance {
+        /// Index of the link in its row.
+        link: usize,
+        /// Impulse on the left end \[N·s\].
+        left: f64,
+        /// Impulse on the right end \[N·s\].
+        right: f64,
+    },
     /// A motion that should be exact but whose energies do not balance.
     #[error(
         "energy: found {found:.1e} of it unexplained, allowed {allowed:.1e}, which rounding leaves of a right run; some number \

@@ -5,17 +5,20 @@ mod columns;
 mod contact;
 mod error;
 mod largest;
+mod link;
 mod opening;
 mod sightings;
 mod terms;
 
 pub use contact::PairTerms;
 pub use error::LedgerError;
+pub use link::LinkTerms;
 pub use terms::Terms;
 
 use account::Account;
 use contact::{ContactAccount, Push};
 use largest::{Balances, Largest};
+use link::LinkAccount;
 use opening::{opening_part, work_of};
 use sightings::Sightings;
 
@@ -50,6 +53,7 @@ pub struct Ledger<'a> {
     buildings: Buildings,
     sightings: Sightings,
     contacts: Vec<ContactAccount>,
+    links: Vec<LinkAccount>,
     /// Incidence of pairs and floors.
     incidence: Incidence,
     /// The impacts since the last time that all pairs were apart.
@@ -112,6 +116,7 @@ impl<'a> Ledger<'a> {
             buildings: row.buildings().clone(),
             sightings: Sightings::new(row.buildings()),
             contacts: row.pairs().iter().map(ContactAccount::new).collect(),
+            links: row.links().iter().map(LinkAccount::new).collect(),
             incidence: row.incidence().clone(),
             meeting: None,
             n_meeting: 0,
@@ -148,6 +153,11 @@ impl<'a> Ledger<'a> {
     /// Terms of a pair, by its index in the row.
     pub fn of_pair(&self, pair: usize) -> PairTerms {
         self.contacts[pair].terms()
+    }
+
+    /// Terms of a link, by its index in the row.
+    pub fn of_link(&self, link: usize) -> LinkTerms {
+        self.links[link].terms()
     }
 
     /// Terms of the row: the sum over its floors.
@@ -228,6 +238,9 @@ impl<'a> Ledger<'a> {
             contact.gives(pair, NEGLIGIBLE * scale)?;
             contact.balanced(pair)?;
         }
+        for (link, account) in self.links.iter().enumerate() {
+            account.balanced(link)?;
+        }
         let found = self.residual();
         match self.bound() {
             // Rounding does not explain NaN.
@@ -266,6 +279,9 @@ impl<'a> Ledger<'a> {
             let outcome = self.contacts[push.pair].push(push.pair, span.structure, &push_on);
             self.judge(outcome);
         }
+        for push in span.links {
+            self.link(span, push);
+        }
         self.n_meeting += self.count_at(span.structure);
         if self.meeting.is_some() && self.n_meeting == 0 {
             let ended = self.meeting.take();
@@ -288,6 +304,7 @@ impl<'a> Ledger<'a> {
             | LedgerError::PullingImpact { .. }
             | LedgerError::GainInYielding { .. }
             | LedgerError::Imbalance { .. }
+            | LedgerError::LinkImbalance { .. }
             | LedgerError::EnergyUnexplained { .. } => false,
         };
         if !rounding {

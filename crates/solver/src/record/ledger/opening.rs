@@ -2,7 +2,7 @@
 
 use super::Ledger;
 use crate::span::{Push, value};
-use crate::{Path, Span, State};
+use crate::{Path, Relation, Span, State};
 
 impl Ledger<'_> {
     /// Books and returns a floor's share of the work of grounds that move towards each other, through the compliant contact of a pair over
@@ -10,13 +10,21 @@ impl Ledger<'_> {
     ///
     /// For a step it is the impulse times the mean opening rate.
     pub(super) fn opened(&mut self, span: &Span<'_>, push: usize) -> f64 {
-        let (Some(travel), push) = (&self.travel, &span.pushes[push]) else {
-            return 0.0;
-        };
+        let push = &span.pushes[push];
         if push.impulse == 0.0 {
             return 0.0;
         }
         let relation = self.contacts[push.pair].relation();
+        let work = self.opening_work(span, push, relation, is_alone(span, push));
+        self.accounts[span.structure].open_contact(work);
+        work
+    }
+
+    /// A floor's share of the work of grounds that move towards each other, through the force between two points over a span.
+    pub(super) fn opening_work(&self, span: &Span<'_>, push: &Push<'_>, relation: Relation, alone: bool) -> f64 {
+        let Some(travel) = &self.travel else {
+            return 0.0;
+        };
         let nodes = relation.points().map(crate::Point::floor);
         let work = match span.path {
             Path::Cubic(_) => {
@@ -24,7 +32,7 @@ impl Ledger<'_> {
                 push.impulse * ((end - start) / span.duration())
             }
             Path::Series(_) | Path::Flight(_) => {
-                let force = force_of(span, push);
+                let force = force_of(span, push, alone);
                 let power = |time: f64, state: &State| [force(time, state) * travel.opening(nodes, time).velocity];
                 let [work] = span.integrate(power);
                 work
@@ -32,7 +40,6 @@ impl Ledger<'_> {
         };
         let own = push.given(1.0);
         let part = opening_part(relation.pushes().map(|(_, part)| part), own);
-        self.accounts[span.structure].open_contact(part * work);
         part * work
     }
 }
@@ -55,16 +62,16 @@ pub(super) fn work_of(span: &Span<'_>, push: &Push<'_>, together: f64) -> f64 {
             mean * push.given(push.impulse)
         }
         Path::Series(_) | Path::Flight(_) => {
-            let force = force_of(span, push);
+            let force = force_of(span, push, false);
             let [work] = span.integrate(|time, state| [push.given(force(time, state)) * state.velocity]);
             work
         }
     }
 }
 
-/// Force of a pair at an instant and a state within a span that is known between its ends \[N\].
-fn force_of<'a>(span: &'a Span<'_>, push: &'a Push<'_>) -> impl Fn(f64, &State) -> f64 {
-    let is_alone = is_alone(span, push);
+/// Force of a pair or a link at an instant and a state within a span that is known between its ends \[N\]. The state has the force of a
+/// pair that is alone.
+pub(super) fn force_of<'a>(span: &'a Span<'_>, push: &'a Push<'_>, is_alone: bool) -> impl Fn(f64, &State) -> f64 {
     move |time, state| match span.path {
         Path::Series(series) if !is_alone => value(push.series, series.x(time)),
         Path::Series(_) | Path::Cubic(_) | Path::Flight(_) if push.on_left => -state.force_from_right,

@@ -2,7 +2,7 @@ use std::ops::AddAssign;
 
 /// The terms of an energy balance \[J\] at an instant: of a floor and its storey, of a building or of a row.
 ///
-/// For a building and for a row: kinetic + strain + damping + hysteretic + impact + contact = initial + input + opening. Each term is
+/// For a building and for a row: kinetic + strain + damping + hysteretic + impact + contact + link = initial + input + opening. Each term is
 /// computed separately from the motion and its forces; none is the remainder of the others.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct Terms {
@@ -10,7 +10,7 @@ pub struct Terms {
     pub initial: f64,
     /// Work of the shaking, ∫ −m·`a_g`·u̇ dt (relative to the ground); of either sign.
     pub input: f64,
-    /// Work through contact of grounds that move towards each other: ∫ F·Ḋ dt and P·Ḋ, with D the distance by which they have come closer.
+    /// Work through contact and links of grounds that move towards each other: ∫ F·Ḋ dt and P·Ḋ, with D the distance by which they have come closer.
     /// Of either sign; half of it is booked with each floor. 0 if all buildings are shaken at once.
     pub opening: f64,
     /// Kinetic energy ½mu̇², of the velocity relative to the ground, ≥ 0.
@@ -27,13 +27,15 @@ pub struct Terms {
     /// Energy taken by compliant contact, ∫ F·δ̇ dt, including the energy stored while a pair touches. For a floor: the energy that it
     /// gave, negative if it was accelerated.
     pub contact: f64,
+    /// Energy taken by links, ∫ F·δ̇ dt, including the energy stored there. For a floor: the energy that it gave.
+    pub link: f64,
 }
 
 impl Terms {
     /// Residual of the balance \[J\]: 0 for an exact motion of a building or a row.
     pub fn balance(&self) -> f64 {
         let held = self.kinetic + self.strain;
-        let spent = self.damping + self.hysteretic + self.impact + self.contact;
+        let spent = self.damping + self.hysteretic + self.impact + self.contact + self.link;
         held + spent - self.input - self.opening - self.initial
     }
 
@@ -48,7 +50,7 @@ impl Terms {
         differences.map(|(one, another)| (one - another).abs()).fold(0.0, f64::max)
     }
 
-    fn all(&self) -> [f64; 9] {
+    fn all(&self) -> [f64; 10] {
         [
             self.initial,
             self.input,
@@ -59,6 +61,7 @@ impl Terms {
             self.hysteretic,
             self.impact,
             self.contact,
+            self.link,
         ]
     }
 }
@@ -74,5 +77,6 @@ impl AddAssign for Terms {
         self.hysteretic += other.hysteretic;
         self.impact += other.impact;
         self.contact += other.contact;
+        self.link += other.link;
     }
 }

@@ -114,6 +114,7 @@ fn report(ledger: &mut Ledger<'_>, floors: &[Motions; 2], start_time: f64, end_t
             impulse_from_right: 0.0,
             below: None,
             pushes: &[],
+            links: &[],
             path: Path::Series(Series {
                 origin: start_time,
                 power: Power::One,

@@ -128,6 +128,7 @@ impl Alone<'_> {
             neighbour: None,
             p_delta: None,
             collapse_drift_ratio: None,
+            links: Vec::new(),
             arrivals_s: None,
             ..prepared.scene().clone()
         };

@@ -33,6 +33,7 @@ pub(super) fn scene(seed: u64, index: usize) -> Scene {
         neighbour: None,
         p_delta: None,
         collapse_drift_ratio: None,
+        links: Vec::new(),
         arrivals_s: arrivals(&mut random, n),
         floors: Some(FloorHeights::Level),
         structures,

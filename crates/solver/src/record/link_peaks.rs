@@ -1,0 +1,97 @@
+//! Peaks of links.
+
+use crate::{Impact, Link, Peak, Push, Recorder, Relation, Span, Travel};
+
+/// Largest values of a link, each of one sign.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct LinkPeak {
+    /// Largest push \[N\], ≥ 0.
+    pub push: Peak,
+    /// Largest pull \[N\], as a negative force; ≤ 0.
+    pub pull: Peak,
+    /// Largest shortening \[m\], ≥ 0.
+    pub shortening: Peak,
+    /// Largest elongation \[m\], as a negative deformation; ≤ 0.
+    pub elongation: Peak,
+}
+
+/// Records forces and deformations of links. A method that finds instants ends its pieces at their extremes; a step knows its ends.
+#[derive(Debug, Clone, PartialEq)]
+pub struct LinkPeaks {
+    links: Vec<Record>,
+    /// How the motion travels along the row; `None` if all are shaken at once.
+    travel: Option<Travel>,
+}
+
+/// A link, with the displacements of its ends at the instants up to which they are known.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Record {
+    relation: Relation,
+    ends: [(f64, f64); 2],
+    peak: LinkPeak,
+}
+
+impl LinkPeaks {
+    /// A recorder for these links of a row.
+    pub fn new(links: &[Link]) -> Self {
+        let record = |link: &Link| Record {
+            relation: link.relation,
+            ends: [(0.0, 0.0); 2],
+            peak: LinkPeak::default(),
+        };
+        Self {
+            links: links.iter().map(record).collect(),
+            travel: None,
+        }
+    }
+
+    /// The recorder for a motion that travels along the row.
+    #[must_use]
+    pub fn travelled(self, travel: Option<Travel>) -> Self {
+        Self { travel, ..self }
+    }
+
+    /// Peaks of a link, by its index in the row.
+    pub fn of(&self, link: usize) -> LinkPeak {
+        self.links[link].peak
+    }
+
+    fn book(&mut self, span: &Span<'_>, push: &Push<'_>) {
+        let record = &mut self.links[push.pair];
+        let peak = &mut record.peak;
+        for (force, time) in push.forces.into_iter().zip([span.start_time, span.end_time]) {
+            let side = if force > 0.0 { &mut peak.push } else { &mut peak.pull };
+            side.take(force, time);
+        }
+        let own = usize::from(!push.on_left);
+        record.ends[own] = (span.end_time, span.end.displacement);
+        let points = record.relation.points();
+        let is_fixed = points[1 - own].parts().next().is_none();
+        // The other end of a link is in the same body, so that both are known at the ends of its pieces.
+        if is_fixed || record.ends[1 - own].0.total_cmp(&span.end_time).is_eq() {
+            let nodes = points.map(crate::Point::floor);
+            let opening = self
+                .travel
+                .as_ref()
+                .map_or(0.0, |travel| travel.opening(nodes, span.end_time).displacement);
+            let deformation = record.ends[0].1 - record.ends[1].1 + opening;
+            let side = if deformation > 0.0 {
+                &mut peak.shortening
+            } else {
+                &mut peak.elongation
+            };
+            side.take(deformation, span.end_time);
+        }
+    }
+}
+
+impl Recorder for LinkPeaks {
+    #[inline]
+    fn span(&mut self, span: &Span<'_>) {
+        for push in span.links {
+            self.book(span, push);
+        }
+    }
+
+    fn impact(&mut self, _: &Impact) {}
+}

@@ -1,0 +1,355 @@
+//! Links between floors, by closed forms, by a second integration, and by the laws of mechanics.
+
+use pounding_contact::ContactLaw;
+use pounding_solver::{
+    Bilinear, Braced, Clock, Elastic, Exact, Excitation, Hysteretic, Integrator, LastStates, Laws, Ledger, Link, LinkLaw, Motion, Node,
+    Pair, Peaks, Point, Relation, Restrainer, Row, Spring,
+};
+use serde_json::Value;
+
+use crate::common::{STEREOMECHANICAL, STIFF, VISCOELASTIC, WEAK, ground, pairs, yielding};
+use crate::watch::Watch;
+
+const EXACT: Integrator = Integrator::Exact(Exact {
+    tolerance: 1e-16,
+    simultaneous_impacts: pounding_solver::SimultaneousImpacts::Together,
+});
+
+/// Inputs and expected values of a case.
+fn case(text: &str) -> (Value, Value) {
+    let case: Value = serde_json::from_str(text).expect("JSON");
+    (case["inputs"].clone(), case["expected"].clone())
+}
+
+fn number(value: &Value, name: &str) -> f64 {
+    value[name].as_str().expect(name).parse().expect(name)
+}
+
+fn between(left: Point, right: Point, law: LinkLaw) -> Link {
+    let offset = 0.0;
+    Link {
+        relation: Relation { left, right, offset },
+        law,
+    }
+}
+
+fn moving(mass: f64, stiffness: f64, displacement: f64, velocity: f64) -> Node<Elastic> {
+    Node {
+        initial_displacement: displacement,
+        initial_velocity: velocity,
+        ..Node::structure(mass, 0.0, Elastic { stiffness })
+    }
+}
+
+/// The motion at the end of a run at rest, its largest displacements, and its ledger.
+fn let_go<Column: Hysteretic>(row: &Row<Column>, duration: f64) -> (LastStates, Peaks, f64) {
+    let still = [0.0; 1001];
+    let excitation = Excitation::new(0.01, &still).expect("finite");
+    let clock = Clock {
+        time_step: duration / 8.0,
+        n_steps: 8,
+    };
+    let n = row.nodes().len();
+    let ledger = Ledger::new(row, excitation).held_to(Laws::Energy { tolerance: 1e-16 });
+    let mut recorders = (LastStates::new(n), Peaks::new(n), ledger);
+    EXACT.watch(row, excitation, clock, &mut recorders).expect("it runs");
+    let (last, peaks, ledger) = recorders;
+    ledger.verdict().expect("the books add up");
+    let energy = if row.links().is_empty() { 0.0 } else { ledger.of_link(0).energy };
+    (last, peaks, energy)
+}
+
+fn close(what: &str, found: f64, wanted: f64, tolerance: f64) {
+    assert!(
+        (found - wanted).abs() <= tolerance * wanted.abs(),
+        "{what}: {found} instead of {wanted}"
+    );
+}
+
+#[test]
+fn reference_dashpot_and_maxwell() {
+    let (inputs, expected) = case(include_str!("../../../scene/tests/reach/link-dashpot-and-maxwell.json"));
+    let of = |name: &str| number(&inputs, name);
+    let dashpot = Spring {
+        stiffness: 0.0,
+        yield_force: f64::INFINITY,
+        hardening: 0.0,
+        damping: of("c_n_s_per_m"),
+    };
+    let maxwell = Braced {
+        stiffness: of("k_maxwell_n_per_m"),
+        coefficient: of("c_n_s_per_m"),
+        inverse_exponent: 1,
+    };
+    for (name, law) in [("dashpot", LinkLaw::Spring(dashpot)), ("maxwell", LinkLaw::Braced(maxwell))] {
+        let nodes = vec![
+            moving(of("m1_kg"), of("k1_n_per_m"), of("u1_0_m"), 0.0),
+            moving(of("m2_kg"), of("k2_n_per_m"), 0.0, 0.0),
+        ];
+        let link = between(0.into(), 1.into(), law);
+        let row = Row::new(nodes, vec![]).and_then(|row| row.linked(vec![link])).expect("a row");
+        let (last, _, energy) = let_go(&row, 2.0);
+        let wanted = &expected[name];
+        let [one, two] = [0, 1].map(|node| last.of(node));
+        for (found, field) in [
+            (one.displacement, "u1_at_2s_m"),
+            (two.displacement, "u2_at_2s_m"),
+            (one.velocity, "v1_at_2s"),
+            (two.velocity, "v2_at_2s"),
+        ] {
+            close(field, found, number(wanted, field), 1e-9);
+        }
+        // The brace of the Maxwell element holds F²/2k.
+        let force = number(wanted, "link_force_at_2s_n");
+        let stored = if name == "maxwell" {
+            0.5 * force * force / of("k_maxwell_n_per_m")
+        } else {
+            0.0
+        };
+        close("energy", energy, number(wanted, "energy_dissipated_j") + stored, 1e-9);
+    }
+}
+
+#[test]
+fn reference_a_restrainer_with_slack_that_yields() {
+    let (inputs, expected) = case(include_str!("../../../scene/tests/reach/link-restrainer-slack-yield.json"));
+    let of = |name: &str| number(&inputs, name);
+    let wanted = |name: &str| number(&expected, name);
+    let law = LinkLaw::Restrainer(Restrainer {
+        stiffness: of("k_n_per_m"),
+        yield_force: of("fy_n"),
+        slack: of("slack_m"),
+    });
+    // The neighbour on the left is the ground, or a wall.
+    let wall = Node::wall(Elastic { stiffness: 1.0 });
+    for (nodes, ends) in [
+        (vec![moving(of("m_kg"), 0.0, 0.0, of("v0"))], [Point::Ground(0), Point::Floor(0)]),
+        (
+            vec![wall, moving(of("m_kg"), 0.0, 0.0, of("v0"))],
+            [Point::Floor(0), Point::Floor(1)],
+        ),
+    ] {
+        let deck = nodes.len() - 1;
+        let link = between(ends[0], ends[1], law);
+        let row = Row::new(nodes, vec![]).and_then(|row| row.linked(vec![link])).expect("a row");
+        let (last, peaks, energy) = let_go(&row, wanted("back_at_zero_s"));
+        close("turn", peaks.of(deck).displacement.time, wanted("turns_at_s"), 1e-9);
+        close("opening", peaks.of(deck).displacement.value, wanted("largest_opening_m"), 1e-9);
+        let Motion { displacement, velocity } = last.of(deck);
+        assert!(displacement.abs() < 1e-9, "{displacement}");
+        close("return", velocity, wanted("returns_at_m_per_s"), 1e-9);
+        close("energy", energy, wanted("energy_dissipated_j"), 1e-9);
+    }
+}
+
+/// A second route: many steps of the classical Runge–Kutta method on u, u̇ and F.
+fn braced_by_steps(damper: Braced, mass: f64, stiffness: f64, velocity: f64, duration: f64) -> [f64; 3] {
+    let Braced {
+        stiffness: brace,
+        coefficient,
+        inverse_exponent,
+    } = damper;
+    let exponent = i32::try_from(inverse_exponent).expect("small");
+    let slope = |[u, v, f]: [f64; 3]| {
+        let flow = (f.abs() / coefficient).powi(exponent) * f.signum();
+        [v, -(stiffness * u + f) / mass, brace * (v - flow)]
+    };
+    let n = 400_000;
+    let h = duration / f64::from(n);
+    let mut at = [0.0, velocity, 0.0];
+    for _ in 0..n {
+        let ahead = |k: [f64; 3], by: f64| [0, 1, 2].map(|i| at[i] + by * k[i]);
+        let k1 = slope(at);
+        let k2 = slope(ahead(k1, 0.5 * h));
+        let k3 = slope(ahead(k2, 0.5 * h));
+        let k4 = slope(ahead(k3, h));
+        at = [0, 1, 2].map(|i| at[i] + h / 6.0 * (k1[i] + 2.0 * k2[i] + 2.0 * k3[i] + k4[i]));
+    }
+    at
+}
+
+#[test]
+fn reference_braced_dampers_by_a_second_integration() {
+    for inverse_exponent in [1, 2, 3, 5] {
+        let damper = Braced {
+            stiffness: 8e7,
+            coefficient: 6e5,
+            inverse_exponent,
+        };
+        let nodes = vec![moving(5e5, 2e7, 0.0, 0.5)];
+        let link = between(Point::Floor(0), Point::Ground(0), LinkLaw::Braced(damper));
+        let row = Row::new(nodes, vec![]).and_then(|row| row.linked(vec![link])).expect("a row");
+        let (last, _, energy) = let_go(&row, 2.0);
+        let [displacement, velocity, force] = braced_by_steps(damper, 5e5, 2e7, 0.5, 2.0);
+        let found = last.of(0);
+        let error = (found.displacement - displacement).abs().max((found.velocity - velocity).abs());
+        assert!(
+            error < 1e-10,
+            "1/{inverse_exponent}: {found:?} instead of {displacement} {velocity}"
+        );
+        let kinetic = 0.5 * 5e5 * (0.25 - velocity * velocity);
+        close("energy", energy, kinetic - 0.5 * 2e7 * displacement * displacement, 1e-8);
+        assert!(force.is_finite());
+    }
+}
+
+fn laws() -> Vec<(&'static str, LinkLaw)> {
+    let spring = Spring {
+        stiffness: 3e6,
+        yield_force: f64::INFINITY,
+        hardening: 0.0,
+        damping: 0.0,
+    };
+    let restrainer = Restrainer {
+        stiffness: 2e7,
+        yield_force: 2e5,
+        slack: 0.01,
+    };
+    let braced = |inverse_exponent| {
+        LinkLaw::Braced(Braced {
+            stiffness: 5e7,
+            coefficient: 3e5,
+            inverse_exponent,
+        })
+    };
+    vec![
+        ("spring", LinkLaw::Spring(spring)),
+        (
+            "dashpot",
+            LinkLaw::Spring(Spring {
+                stiffness: 0.0,
+                damping: 2e5,
+                ..spring
+            }),
+        ),
+        ("both", LinkLaw::Spring(Spring { damping: 2e5, ..spring })),
+        (
+            "bilinear",
+            LinkLaw::Spring(Spring {
+                yield_force: 5e4,
+                hardening: 0.1,
+                ..spring
+            }),
+        ),
+        (
+            "friction",
+            LinkLaw::Spring(Spring {
+                stiffness: 1e8,
+                yield_force: 5e4,
+                ..spring
+            }),
+        ),
+        ("restrainer", LinkLaw::Restrainer(restrainer)),
+        ("maxwell", braced(1)),
+        ("square", braced(2)),
+        ("cube", braced(3)),
+    ]
+}
+
+fn row_of_three(law: ContactLaw, links: Vec<Link>, mirrored: bool) -> Row<Bilinear> {
+    let mut nodes = vec![yielding(WEAK), yielding(STIFF), yielding((2e5, 8e6, 3e5))];
+    let mut links = links;
+    if mirrored {
+        nodes.reverse();
+        for link in &mut links {
+            let [left, right] = link.relation.points().map(|point| match point {
+                Point::Floor(floor) => Point::Floor(2 - floor),
+                Point::Ground(floor) => Point::Ground(2 - floor),
+                Point::Share(_) => panic!("no share"),
+            });
+            (link.relation.left, link.relation.right) = (right, left);
+        }
+    }
+    let row = Row::new(nodes, pairs(3, 0.02, law)).expect("a row");
+    row.linked(links).expect("links")
+}
+
+/// Rows that collide, with every kind of link: energies and impulses add up, and the mirrored row mirrors the motion.
+#[test]
+fn reference_books_and_mirrors_of_rows_with_links() {
+    let motion = ground();
+    let mirror: Vec<f64> = motion.iter().map(|value| -value).collect();
+    let clock = Clock {
+        time_step: 0.01,
+        n_steps: 600,
+    };
+    for contact in [STEREOMECHANICAL, VISCOELASTIC] {
+        for (name, law) in laws() {
+            let links = vec![between(0.into(), 1.into(), law), between(0.into(), 2.into(), law)];
+            let mut ends = [[0.0; 3]; 2];
+            for (mirrored, ends) in [false, true].into_iter().zip(&mut ends) {
+                let row = row_of_three(contact, links.clone(), mirrored);
+                let excitation = Excitation::new(0.01, if mirrored { &mirror } else { &motion }).expect("finite");
+                let ledger = Ledger::new(&row, excitation).held_to(Laws::Energy { tolerance: 1e-16 });
+                let mut recorders = (Peaks::new(3), ledger);
+                EXACT
+                    .watch(&row, excitation, clock, &mut recorders)
+                    .unwrap_or_else(|error| panic!("{name}: {error}"));
+                let (peaks, ledger) = recorders;
+                ledger.verdict().unwrap_or_else(|error| panic!("{name}: {error}"));
+                assert!(ledger.momentum() < 1e-11, "{name}: {}", ledger.momentum());
+                assert!(ledger.of_link(0).energy.abs() > 0.0, "{name}: the link must act");
+                *ends = [0, 1, 2].map(|node| peaks.of(if mirrored { 2 - node } else { node }).displacement.value);
+            }
+            for (one, other) in ends[0].iter().zip(&ends[1]) {
+                assert!((one.abs() / other.abs() - 1.0).abs() < 1e-9, "{name}: {one} {other}");
+            }
+        }
+    }
+}
+
+/// A link without stiffness and dashpot changes nothing but rounding, and one that is stiff makes two structures one.
+#[test]
+fn limit_of_weak_and_stiff_links() {
+    let spring = |stiffness: f64| {
+        LinkLaw::Spring(Spring {
+            stiffness,
+            yield_force: f64::INFINITY,
+            hardening: 0.0,
+            damping: 0.0,
+        })
+    };
+    let run = |stiffness: f64| {
+        let nodes = vec![moving(3e5, 1.2e7, 0.05, 0.0), moving(2e5, 4e7, 0.05, 0.0)];
+        let link = between(0.into(), 1.into(), spring(stiffness));
+        let row = Row::new(nodes, vec![]).and_then(|row| row.linked(vec![link])).expect("a row");
+        let (last, ..) = let_go(&row, 1.0);
+        [0, 1].map(|node| last.of(node).displacement)
+    };
+    let free = |mass: f64, stiffness: f64| 0.05 * libm::cos((stiffness / mass).sqrt());
+    let weak = run(1e-3);
+    assert!((weak[0] - free(3e5, 1.2e7)).abs() < 1e-10, "{weak:?}");
+    assert!((weak[1] - free(2e5, 4e7)).abs() < 1e-10, "{weak:?}");
+    let stiff = run(1e13);
+    let joined = free(5e5, 5.2e7);
+    assert!(
+        (stiff[0] - joined).abs() < 1e-5 && (stiff[1] - joined).abs() < 1e-5,
+        "{stiff:?} {joined}"
+    );
+}
+
+#[test]
+fn extreme_links_of_nothing_are_refused() {
+    let node = || moving(1.0, 1.0, 0.0, 0.0);
+    let spring = LinkLaw::Spring(Spring {
+        stiffness: -1.0,
+        yield_force: f64::INFINITY,
+        hardening: 0.0,
+        damping: 0.0,
+    });
+    let cable = LinkLaw::Restrainer(Restrainer {
+        stiffness: 1.0,
+        yield_force: 1.0,
+        slack: 0.0,
+    });
+    let refused = |link: Link| {
+        let row = Row::new(vec![node(), node()], vec![]).expect("a row");
+        row.linked(vec![link]).expect_err("a refusal").to_string()
+    };
+    insta::assert_snapshot!(refused(between(0.into(), 1.into(), spring)), @"links[0].stiffness: found -1, allowed a finite number >= 0");
+    insta::assert_snapshot!(refused(between(0.into(), 0.into(), cable)), @"links[0]: found two ends at one point, or none on a floor; allowed are two ends, one of them on a floor");
+    insta::assert_snapshot!(refused(between(0.into(), 2.into(), cable)), @"links[0].right: found node 2, allowed are those below 2");
+    let ground = Pair::new(Point::Ground(0), 1.into(), 0.0, STEREOMECHANICAL);
+    let pair = Row::new(vec![node(), node()], vec![ground]).expect_err("a refusal").to_string();
+    insta::assert_snapshot!(pair, @"pairs[0].left: found no floor, allowed are a floor, and a point between a floor and what it stands on");
+}
