@@ -1,5 +1,6 @@
 //! A scene as a script for OpenSeesPy, so that anyone can compare both programs.
 
+mod link;
 mod material;
 mod row;
 mod script;
@@ -34,10 +35,6 @@ impl OpenSees {
     /// # Errors
     /// Names the field that the script does not model, or gives the failure of the exact run.
     pub fn script(self, prepared: &Simulation) -> Result<String, OpenSeesError> {
-        if !prepared.scene().links.is_empty() {
-            let found = "links: found some, allowed none: the script does not write them yet";
-            return Err(OpenSeesError::NotModelled(found.into()));
-        }
         let row = ScriptRow::of(prepared);
         let materials = materials(prepared, &row, self.approximate).map_err(OpenSeesError::NotModelled)?;
         let prepared = &prepared.exact().map_err(OpenSeesError::Run)?;

@@ -81,6 +81,13 @@ def build(time_step):
         ops.uniaxialMaterial(kind, tag, *parameters)
         left, right = (node_of(floor) for floor in contact["floors"])
         ops.element("zeroLength", tag, left, right, "-mat", tag, "-dir", 1)
+    tag = 10 * (len(FLOORS) + len(CONTACTS))
+    for link in LINKS:
+        left, right = (GROUND_OF[floor] + 1 if on_ground else node_of(floor) for floor, on_ground in link["ends"])
+        for kind, *parameters in link["materials"]:
+            tag += 1
+            ops.uniaxialMaterial(kind, tag, *parameters)
+            ops.element("zeroLength", tag, left, right, "-mat", tag, "-dir", 1)
     shake(time_step)
 
 

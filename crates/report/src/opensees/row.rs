@@ -1,5 +1,6 @@
 //! The row of a scene for OpenSees: floors, their columns, and the pairs that can touch.
 
+use super::link::ScriptLink;
 use pounding_scene::{Columns, Floors, Simulation, StoreyProperties};
 use pounding_solver::OnRow;
 use pounding_solver::{Hysteretic, Node, Row, Support};
@@ -28,6 +29,7 @@ pub(super) struct ScriptRow {
     pub(super) floors: Vec<Option<ScriptFloor>>,
     /// When the ground motion arrives at each \[s\].
     pub(super) arrivals: Vec<f64>,
+    pub(super) links: Vec<ScriptLink>,
 }
 
 impl ScriptRow {
@@ -47,6 +49,7 @@ impl OnRow for Reading<'_> {
         ScriptRow {
             floors: floors.map(|(node, floor)| Some(floor_of(nodes, node, &floor.made_of?))).collect(),
             arrivals: (0..nodes.len()).map(|node| row.arrival(node)).collect(),
+            links: row.links().iter().map(ScriptLink::of).collect(),
         }
     }
 }

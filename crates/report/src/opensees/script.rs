@@ -6,6 +6,7 @@ use pounding_scene::{PairOutcome, RunResult, Simulation};
 use pounding_text::visible;
 use serde_json::json;
 
+use super::link::ScriptLink;
 use super::material::Material;
 use super::row::{ScriptFloor, ScriptRow};
 
@@ -51,6 +52,8 @@ pub(super) fn script(contents: &Contents<'_>) -> String {
     let materials = contents.materials.iter().enumerate();
     let contacts = materials.map(|(index, one)| contact(contents.prepared, index, one));
     line(&list("CONTACTS", contacts));
+    line("\n# Links: their ends, as floors or the ground below them, and their materials with\n# the parameters after the tag.");
+    line(&list("LINKS", contents.row.links.iter().map(ScriptLink::written)));
     line("\n# By the exact method of pounding, which has no time step.");
     line(&exact(contents));
     line("\n# Ground acceleration [m/s^2], linear between samples, zero after the last.");
