@@ -196,6 +196,7 @@ impl Equations {
         Touching {
             deformation,
             rate,
+            bent: self.phases.pairs[pair].bent,
             approach_speed: self.phases.pairs[pair].approach_speed,
         }
     }
@@ -270,6 +271,15 @@ impl Equations {
                 *rising = -*rising;
             }
         }
+    }
+
+    /// How far the deformation of a pair is from the other slope of its law \[m\]; `None` for a law of one slope.
+    pub(super) fn before_bend(&self, pair: usize, y: &[f64]) -> Option<f64> {
+        let Law::Compliant(force) = self.model.pairs[pair].law else {
+            return None;
+        };
+        let left = force.bend()? - self.model.deformation(pair, y);
+        Some(if self.phases.pairs[pair].bent { -left } else { left })
     }
 
     /// Negative if the formula of a pair would pull after the approach.

@@ -60,6 +60,8 @@ pub(super) struct PairState {
     pub(super) grounds: Grounds,
     /// Form of the present contact, which may contain its approach speed; `None` before the first contact.
     pub(super) form: Option<Form>,
+    /// Whether the deformation is on the second slope of the form.
+    pub(super) beyond: bool,
     /// Rate of deformation at the touch.
     pub(super) approach_speed: f64,
     /// Pieces of the present contact, if its law depends on the approach speed.
@@ -131,6 +133,7 @@ impl PairState {
             reduced_mass,
             grounds: Grounds::Alike,
             form: None,
+            beyond: false,
             approach_speed: 0.0,
             pieces: 0,
             link: Link::Apart,
@@ -192,7 +195,7 @@ impl PairState {
 
     /// Begins compliant contact, with the rate of the touch as approach speed.
     pub(super) fn begin(&mut self) {
-        (self.approach_speed, self.pieces) = (self.rate.max(0.0), 0);
+        (self.approach_speed, self.pieces, self.beyond) = (self.rate.max(0.0), 0, false);
         self.form = self.law.form(self.reduced_mass, self.approach_speed);
         self.link = Link::Touching(Phase::Approach);
     }

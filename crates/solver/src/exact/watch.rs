@@ -3,7 +3,7 @@
 use crate::exact::columns::{Branch, LoadingLine};
 use crate::exact::contact::{Link, PairState, Phase};
 use crate::exact::member::Member;
-use crate::exact::{ExactRun, Touching};
+use crate::exact::{ExactRun, Touching, rounding};
 use crate::roots::{CAPACITY, LOST, SHORTEST_WAY, first_root};
 use crate::span::Power;
 use crate::{Recorder, RunError};
@@ -29,6 +29,8 @@ pub(super) enum Event {
     Fade(usize),
     /// The rate of deformation of a pair changes sign.
     Reversal(usize),
+    /// The deformation of a pair passes to the other slope of its law.
+    Bend(usize),
     /// The law of a pair begins to pull.
     Clamp(usize),
     /// The law of a pair that pulled pushes again.
@@ -140,6 +142,21 @@ impl Touching<'_> {
                 watch.rise(len, |n| -contact.deformations[n], Event::Part(pair));
             }
         }
+        if let (Link::Touching(_), Some(form)) = (contact.link, contact.form)
+            && form.second.is_some()
+        {
+            // Just after the event the distance is rounding.
+            let at_bend = contact.way_beyond(&form, 0).abs() <= rounding::OF_SUMS * contact.scale;
+            let side = if contact.beyond { -1.0 } else { 1.0 };
+            let way = |n: usize| {
+                if n == 0 && at_bend {
+                    0.0
+                } else {
+                    side * contact.way_beyond(&form, n)
+                }
+            };
+            watch.rise(len, way, Event::Bend(pair));
+        }
     }
 }
 
@@ -225,6 +242,14 @@ impl<R: Recorder> ExactRun<'_, R> {
                     Link::Touching(Phase::Parting | Phase::Clamped) | Link::Apart | Link::Resting => {
                         (contact.link, contact.deformation) = (Link::Apart, 0.0);
                     }
+                }
+            }
+            Event::Bend(pair) => {
+                let contact = &mut self.touching.contacts[pair];
+                contact.beyond = !contact.beyond;
+                // The rounding of time would lead back across the bend at once.
+                if let Some(second) = contact.form.and_then(|form| form.second) {
+                    contact.deformation = second.from;
                 }
             }
             Event::Clamp(pair) => self.touching.contacts[pair].cross(Phase::Clamped),
