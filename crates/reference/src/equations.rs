@@ -94,7 +94,11 @@ impl Equations {
         for (index, structure) in model.structures.iter().enumerate() {
             dy[displacement(index)] = y[velocity(index)];
             let rate = model.drift_rate(index, y);
-            let force = self.restoring_force(index, y) + structure.damping * rate;
+            let damping = match phases.structures[index].branch {
+                Branch::Yielding { .. } => structure.damping - structure.elastic_damping,
+                Branch::Elastic { .. } | Branch::Smooth { .. } => structure.damping,
+            };
+            let force = self.restoring_force(index, y) + damping * rate;
             dy[velocity(index)] = -force;
             if let Some(below) = structure.below {
                 dy[velocity(index)] -= structure.ground_damping * y[velocity(index)];

@@ -34,7 +34,7 @@ use budget::Patience;
 pub use budget::RunBudget;
 pub use building::{Building, Storey};
 pub use columns::{BoucWen, Capacities, Columns};
-pub use damping::Damping;
+pub use damping::{DampedStiffness, Damping};
 pub use generated::{Generated, Ground, Stochastic};
 pub use method::{Jumps, Method, Start};
 pub use neighbour::{DrawnNeighbour, Neighbour, UnknownNeighbour};

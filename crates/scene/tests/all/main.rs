@@ -15,3 +15,4 @@ mod mirrored;
 mod numbers;
 mod scene_files;
 mod spectrum;
+mod tangent_damping;

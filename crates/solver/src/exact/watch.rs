@@ -204,13 +204,13 @@ impl<R: Recorder> ExactRun<'_, R> {
             Event::Turn(leader) => {
                 for node in leader..self.touching.led_by(leader).end {
                     if self.moving.members[node].storey.is_none() {
-                        self.moving.members[node].branch = Branch::Elastic;
+                        self.moving.members[node].go_on(Branch::Elastic);
                     }
                 }
             }
             Event::TurnOfDrift(node) => {
                 let member = &mut self.moving.members[node];
-                member.branch = Branch::Elastic;
+                member.go_on(Branch::Elastic);
                 if let Some(storey) = &mut member.storey {
                     storey.still = true;
                 }
@@ -218,7 +218,8 @@ impl<R: Recorder> ExactRun<'_, R> {
             Event::Cross(_) => {}
             Event::Yield(node, branch) => {
                 let member = &mut self.moving.members[node];
-                (member.branch, member.line) = (branch, LoadingLine::Shifted);
+                member.go_on(branch);
+                member.line = LoadingLine::Shifted;
             }
             Event::Balance(node) => self.moving.members[node].balanced = true,
             Event::Extremum(node) => self.moving.members[node].peaked = true,
