@@ -120,14 +120,15 @@ fn reference_the_ledger_closes_over_jumps_of_damping() {
     }
 }
 
-/// Stepping methods use the tangent at the end of the last step: their error falls with the step.
+/// Stepping methods use the tangent at the end of the last step: Runge–Kutta comes down to order one. The error of order two of Newmark's
+/// method is larger than that of the late tangent.
 #[test]
 fn order_the_tangent_of_the_last_step() {
     let samples = ground();
     let row = row();
     let (exact, _) = histories(&row, EXACT, &samples, clock(0.01, 2.0));
     let steps = [4e-4, 2e-4, 1e-4, 5e-5];
-    for method in [RK4, AVERAGE] {
+    for (method, orders) in [(RK4, 0.7..1.4), (AVERAGE, 1.5..2.1)] {
         let error = |step: f64| {
             let (found, _) = histories(&row, method, &samples, clock(step, 2.0));
             let last = |all: &pounding_solver::Histories, node: usize| all.of(node).states.last().expect("states").displacement;
@@ -137,12 +138,13 @@ fn order_the_tangent_of_the_last_step() {
         };
         let errors = steps.map(error);
         let order = slope(&steps, &errors);
-        assert!((0.7..1.4).contains(&order), "{method:?}: {order} {errors:?}");
+        assert!(orders.contains(&order), "{method:?}: {order} {errors:?}");
         assert!(errors[3] < 2e-4, "{method:?}: {errors:?}");
     }
 }
 
-/// Columns that never yield have the bits of damping on the initial stiffness.
+/// Columns that never yield have the damping on the initial stiffness: the same bits, and in Newmark's method the same to rounding, because
+/// it finds the acceleration at the start of each step anew.
 #[test]
 fn limit_without_yielding_nothing_changes() {
     let samples = ground();
@@ -151,9 +153,11 @@ fn limit_without_yielding_nothing_changes() {
         node.elastic_damping *= part;
         Row::new(vec![node], vec![]).expect("a valid row")
     };
-    for method in [EXACT, RK4, AVERAGE] {
+    for (method, within) in [(EXACT, 0.0), (RK4, 0.0), (AVERAGE, 1e-12)] {
         let [with, without] = [1.0, 0.0].map(|part| histories(&of(part), method, &samples, clock(0.001, 4.0)).0);
-        assert_eq!(with, without, "{method:?}");
+        let pairs = with.of(0).states.iter().zip(&without.of(0).states);
+        let apart = pairs.map(|(one, other)| (one.displacement - other.displacement).abs());
+        assert!(apart.fold(0.0, f64::max) <= within, "{method:?}");
     }
 }
 
