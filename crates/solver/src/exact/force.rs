@@ -2,7 +2,7 @@
 
 use pounding_contact::{Action, Form, Power as Exponent, Slope, Term};
 
-use crate::exact::contact::{Link, PairState, Phase};
+use crate::exact::contact::{Link, OnSlope, PairState, Phase};
 use crate::exact::member::Member;
 use crate::roots::CAPACITY;
 use crate::span::Power;
@@ -79,7 +79,7 @@ impl PairState {
 
     /// Coefficient `n` of the force that the second slope adds.
     fn second_slope(&self, form: &Form, n: usize) -> f64 {
-        let second = form.second.filter(|_| self.beyond);
+        let second = form.second.filter(|_| self.slope == OnSlope::Second);
         second.map_or(0.0, |second| second.added * self.way_beyond(form, n))
     }
 

@@ -1,7 +1,7 @@
 //! The search for the first event of a piece.
 
 use crate::exact::columns::{Branch, LoadingLine};
-use crate::exact::contact::{Link, PairState, Phase};
+use crate::exact::contact::{Link, OnSlope, PairState, Phase};
 use crate::exact::member::Member;
 use crate::exact::{ExactRun, Touching, rounding};
 use crate::roots::{CAPACITY, LOST, SHORTEST_WAY, first_root};
@@ -147,7 +147,7 @@ impl Touching<'_> {
         {
             // Just after the event the distance is rounding.
             let at_bend = contact.way_beyond(&form, 0).abs() <= rounding::OF_SUMS * contact.scale;
-            let side = if contact.beyond { -1.0 } else { 1.0 };
+            let side = if contact.slope == OnSlope::Second { -1.0 } else { 1.0 };
             let way = |n: usize| {
                 if n == 0 && at_bend {
                     0.0
@@ -245,14 +245,7 @@ impl<R: Recorder> ExactRun<'_, R> {
                     }
                 }
             }
-            Event::Bend(pair) => {
-                let contact = &mut self.touching.contacts[pair];
-                contact.beyond = !contact.beyond;
-                // The rounding of time would lead back across the bend at once.
-                if let Some(second) = contact.form.and_then(|form| form.second) {
-                    contact.deformation = second.from;
-                }
-            }
+            Event::Bend(pair) => self.touching.contacts[pair].bend(),
             Event::Clamp(pair) => self.touching.contacts[pair].cross(Phase::Clamped),
             Event::Grip(pair) => self.touching.contacts[pair].cross(Phase::Restitution),
             Event::Part(pair) => {
