@@ -138,6 +138,6 @@ impl ContactLaw {
     pub fn max_deformation(&self, pair: &FreePair) -> Option<f64> {
         let stored = self.stored()?;
         let form = self.form(pair.reduced_mass, pair.approach_speed)?;
-        Some(pair.deformation(form.spring, stored))
+        Some(pair.deformation(&form, stored))
     }
 }

@@ -5,7 +5,7 @@
 
 use crate::Number;
 
-/// The form of every compliant law: F = K δ^n + C δ^κ δ̇, never below 0.
+/// The form of every compliant law: F = K δ^n + C δ^κ δ̇, never below 0. A second slope adds K₂ (δ − d) beyond a deformation d.
 ///
 /// A law gives K, C and the powers. C already contains the reduced mass and the approach speed of the pair.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -16,6 +16,17 @@ pub struct Form<N = f64> {
     pub damper: Term<N>,
     /// When the damper acts.
     pub action: Action,
+    /// The second slope of a linear spring without a damper, if the law has one.
+    pub second: Option<Slope<N>>,
+}
+
+/// A stiffness that a spring gains beyond a deformation.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Slope<N = f64> {
+    /// The deformation \[m\], > 0.
+    pub from: N,
+    /// The stiffness that is added \[N/m\]; negative if the second slope is softer.
+    pub added: N,
 }
 
 /// Force of a compliant law and its consistent tangents.
@@ -110,11 +121,22 @@ impl Term {
     }
 }
 
+impl<N: Number> Slope<N> {
+    /// The force that the slope adds \[N\], and its stiffness \[N/m\].
+    #[inline(always)]
+    pub fn at(&self, deformation: N) -> (N, N) {
+        let (zero, beyond) = (deformation.like(0.0), deformation.exceeds(self.from));
+        let force = self.added * (deformation - self.from);
+        (N::select(beyond, force, zero), N::select(beyond, self.added, zero))
+    }
+}
+
 impl<N: Number> Form<N> {
     /// The force before the clamp \[N\]. It is negative if the law would pull.
     #[inline(always)]
     pub fn unclamped(&self, deformation: N, rate: N) -> N {
-        self.spring.at(deformation) + self.damping(deformation, rate) * rate
+        let force = self.spring.at(deformation) + self.damping(deformation, rate) * rate;
+        self.second.map_or(force, |second| force + second.at(deformation).0)
     }
 
     /// The force at δ > 0 \[N\]; 0 if the law would pull.
@@ -129,14 +151,19 @@ impl<N: Number> Form<N> {
     pub fn respond(&self, deformation: N, rate: N) -> ContactForce<N> {
         let spring = self.spring.at(deformation);
         let damping = self.damping(deformation, rate);
-        let force = spring + damping * rate;
+        let mut force = spring + damping * rate;
         let power = |term: &Term<N>| deformation.like(term.power.value());
         let slope = power(&self.spring) * spring + power(&self.damper) * damping * rate;
+        let mut stiffness = slope / deformation;
+        if let Some(second) = &self.second {
+            let (more, stiffer) = second.at(deformation);
+            (force, stiffness) = (force + more, stiffness + stiffer);
+        }
         let zero = deformation.like(0.0);
         let pushes = |number: N| N::select(zero.exceeds(force), zero, number);
         ContactForce {
             force: pushes(force),
-            stiffness: pushes(slope / deformation),
+            stiffness: pushes(stiffness),
             damping: pushes(damping),
         }
     }
@@ -162,7 +189,34 @@ impl<N: Number> Form<N> {
 impl Form {
     /// A spring, and a damper that acts at these times.
     pub const fn new(spring: Term, damper: Term, action: Action) -> Self {
-        Self { spring, damper, action }
+        Self {
+            spring,
+            damper,
+            action,
+            second: None,
+        }
+    }
+
+    /// Deformation \[m\] at which the spring alone has a force ≥ 0 \[N\].
+    pub fn deformation(&self, force: f64) -> f64 {
+        match self.second {
+            Some(Slope { from, added }) if force > self.spring.at(from) => {
+                from + (force - self.spring.at(from)) / (self.spring.coefficient + added)
+            }
+            Some(_) | None => self.spring.deformation(force),
+        }
+    }
+
+    /// Energy \[J\] that the spring alone holds at a force ≥ 0 \[N\].
+    pub fn stored(&self, force: f64) -> f64 {
+        let deformation = self.deformation(force);
+        match self.second {
+            Some(Slope { from, .. }) if deformation > from => {
+                let first = self.spring.at(from);
+                0.5 * (first * from + (first + force) * (deformation - from))
+            }
+            Some(_) | None => force * deformation / (self.spring.power.value() + 1.0),
+        }
     }
 
     /// Force and tangents at δ ≤ 0 if the damper is a linear dashpot, else `None`; see [`crate::ContactLaw::before_touch`].

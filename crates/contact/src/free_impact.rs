@@ -5,7 +5,9 @@
 //! no singularity. The damper of the nonlinear viscoelastic element, which starts like δ^(1/4) at the first touch, becomes smooth, and so
 //! does the parting.
 
-use crate::form::{Action, Form, Power, Term};
+use std::f64::consts::PI;
+
+use crate::form::{Action, Form, Power, Slope, Term};
 use crate::{FreePair, search};
 
 /// Result of a free impact.
@@ -58,6 +60,9 @@ impl FreeImpact {
     ///
     /// Returns `None` if the damping is so strong that the return takes more than 20 000 steps. Takes about a millisecond.
     pub fn of_form(form: &Form, pair: &FreePair) -> Option<Self> {
+        if let Some(second) = form.second {
+            return Some(two_slopes(form, second, pair));
+        }
         let orbit = Orbit::new(form, pair);
         let mut peak = 0.0;
         let middle = orbit.approach(|state, step| {
@@ -85,6 +90,29 @@ pub(crate) fn restitution(form: &Form, pair: &FreePair) -> Option<f64> {
     let middle = orbit.approach(|_, _| ())?;
     let end = orbit.returning(form.action).part(middle)?;
     Some(-end.rate)
+}
+
+/// Impact on a linear spring with a second slope and no damper: two arcs of swings, there and back.
+fn two_slopes(form: &Form, Slope { from, added }: Slope, pair: &FreePair) -> FreeImpact {
+    let (m, v) = (pair.reduced_mass, pair.approach_speed);
+    let (first, stiffness) = (form.spring.at(from), form.spring.coefficient + added);
+    let max_deformation = pair.deformation(form, 1.0);
+    let (slow, fast) = ((form.spring.coefficient / m).sqrt(), (stiffness / m).sqrt());
+    let half = if max_deformation > from {
+        let sine = from * slow / v;
+        let rate = v * (1.0 - sine * sine).sqrt();
+        libm::asin(sine) / slow + libm::atan2(rate * stiffness, first * fast) / fast
+    } else {
+        0.5 * PI / slow
+    };
+    FreeImpact {
+        restitution: 1.0,
+        max_deformation,
+        peak_force: form.unclamped(max_deformation, 0.0),
+        impulse: pair.impulse(1.0),
+        duration: 2.0 * half,
+        force_duration: 2.0 * half,
+    }
 }
 
 fn deformation(root: f64) -> f64 {

@@ -1,4 +1,4 @@
-use crate::form::{Power, Term};
+use crate::form::{Form, Power, Slope};
 
 /// Two masses that collide. No other force acts on them.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -27,9 +27,18 @@ impl FreePair {
         0.5 * self.reduced_mass * self.approach_speed * self.approach_speed * lost
     }
 
-    /// Deformation \[m\] at which a spring stores a given part \[–\] of the kinetic energy.
-    pub(crate) fn deformation(&self, spring: Term, stored: f64) -> f64 {
-        let (m, v) = (self.reduced_mass, self.approach_speed);
+    /// Deformation \[m\] at which the spring of a form stores a given part \[–\] of the kinetic energy.
+    pub(crate) fn deformation(&self, form: &Form, stored: f64) -> f64 {
+        let (m, v, spring) = (self.reduced_mass, self.approach_speed, form.spring);
+        if let Some(Slope { from, added }) = form.second {
+            let first = spring.at(from);
+            let rest = stored * m * v * v - first * from;
+            if rest > 0.0 {
+                // k₂x² + 2 k₁d₁x = rest, with x = δ − d₁.
+                let stiffness = spring.coefficient + added;
+                return from + rest / (first + (first * first + stiffness * rest).sqrt());
+            }
+        }
         // K δ^(n+1)/(n+1) = ½ m v₀² · stored.
         let power = spring.power.value() + 1.0;
         let ratio = 0.5 * power * stored * m * v * v / spring.coefficient;

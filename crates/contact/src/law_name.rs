@@ -88,7 +88,7 @@ impl LawName {
     /// The law with a stiffness (in [`LawName::stiffness_unit`]) and the damping for an e in (0, 1\].
     ///
     /// The pair matters only for laws whose e depends on it. The impulsive law ignores the stiffness and also accepts e = 0. Springs
-    /// without damping accept only e = 1.
+    /// without damping accept only e = 1. Their other numbers are usual ones, of a law that is as stiff.
     ///
     /// # Errors
     /// [`CalibrationError`] if a stiffness or an e is out of range, or if the literature has no formula.
@@ -107,8 +107,18 @@ impl LawName {
             (None, Exact::Parameter) => e,
             (None, Exact::Elastic) => 0.0,
         };
-        let stiffness = self.stiffness().map(|_| stiffness);
-        let law = self.with(stiffness.into_iter().chain([damping]));
+        let law = match (self.stiffness(), exact) {
+            // Numbers beside the stiffness are usual ones, of a law that is as stiff.
+            (Some(usual), Exact::Elastic) => {
+                let mut law = self.with(self.parameters().into_iter().map(|row| row.usual));
+                law = law.stiffened(stiffness / usual.usual);
+                if let Some((_, first)) = law.parameters().into_iter().next() {
+                    *first = stiffness;
+                }
+                law
+            }
+            (first, _) => self.with(first.map(|_| stiffness).into_iter().chain([damping])),
+        };
         law.check()?;
         Ok(law)
     }

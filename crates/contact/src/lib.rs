@@ -46,7 +46,7 @@ mod words;
 
 pub use approach_damper::SLOWEST_APPROACH;
 pub use contact_law::{Clamp, Overlap, reduced_mass};
-pub use form::{Action, ContactForce, Form, Power, Term};
+pub use form::{Action, ContactForce, Form, Power, Slope, Term};
 pub use free_impact::FreeImpact;
 pub use free_pair::FreePair;
 pub use law::{About, Exact, Formula, Law, Name};

@@ -1,7 +1,7 @@
 //! Contact laws of several scenes in lanes.
 
 use fearless_simd::Simd;
-use pounding_contact::{ContactLaw, Form, NonlinearViscoelastic, Number, Term, ViscoelasticPair};
+use pounding_contact::{ContactLaw, Form, NonlinearViscoelastic, Number, Slope, Term, ViscoelasticPair};
 
 use super::number::{Lanes, MOST_LANES, Mask};
 
@@ -121,9 +121,14 @@ fn form<S: Simd>(simd: S, laws: &[ContactLaw; MOST_LANES], masses: &[f64; MOST_L
         coefficient: Lanes::new(simd, &forms.map(|form| of(&form).coefficient)),
         power: of(&forms[0]).power,
     };
+    let number = |of: fn(&Slope) -> f64| Lanes::new(simd, &forms.map(|form| form.second.as_ref().map_or(f64::NAN, of)));
     Form {
         spring: term(|form| form.spring),
         damper: term(|form| form.damper),
         action: forms[0].action,
+        second: forms[0].second.map(|_| Slope {
+            from: number(|second| second.from),
+            added: number(|second| second.added),
+        }),
     }
 }

@@ -111,13 +111,15 @@ impl<'a> SideBySide<'a> {
     }
 
     /// Whether two rows have equal floors and pairs that form a [chain](Row::is_chain), with laws of equal kinds. The ground motion must
-    /// arrive everywhere at once in the first row.
+    /// arrive everywhere at once in the first row, and no damping may follow the tangent stiffness.
     pub fn are_alike<Column: RestoringForce>(row: &Row<Column>, other: &Row<Column>) -> bool {
         let kind = |pair: &Pair| std::mem::discriminant(&pair.law);
         let at_once = (0..row.nodes().len()).all(|node| row.arrival(node) == 0.0);
         let mut pairs = row.pairs().iter().zip(other.pairs());
         let mut nodes = row.nodes().iter().zip(other.nodes());
         at_once
+            && !row.has_tangent_damping()
+            && !other.has_tangent_damping()
             && row.is_chain()
             && row.nodes().len() == other.nodes().len()
             && nodes.all(|(node, other)| node.support.below() == other.support.below())

@@ -94,7 +94,11 @@ impl Equations {
         for (index, structure) in model.structures.iter().enumerate() {
             dy[displacement(index)] = y[velocity(index)];
             let rate = model.drift_rate(index, y);
-            let force = self.restoring_force(index, y) + structure.damping * rate;
+            let damping = match phases.structures[index].branch {
+                Branch::Yielding { .. } => structure.damping - structure.elastic_damping,
+                Branch::Elastic { .. } | Branch::Smooth { .. } => structure.damping,
+            };
+            let force = self.restoring_force(index, y) + damping * rate;
             dy[velocity(index)] = -force;
             if let Some(below) = structure.below {
                 dy[velocity(index)] -= structure.ground_damping * y[velocity(index)];
@@ -196,6 +200,7 @@ impl Equations {
         Touching {
             deformation,
             rate,
+            bent: self.phases.pairs[pair].bent,
             approach_speed: self.phases.pairs[pair].approach_speed,
         }
     }
@@ -270,6 +275,15 @@ impl Equations {
                 *rising = -*rising;
             }
         }
+    }
+
+    /// How far the deformation of a pair is from the other slope of its law \[m\]; `None` for a law of one slope.
+    pub(super) fn before_bend(&self, pair: usize, y: &[f64]) -> Option<f64> {
+        let Law::Compliant(force) = self.model.pairs[pair].law else {
+            return None;
+        };
+        let left = force.bend()? - self.model.deformation(pair, y);
+        Some(if self.phases.pairs[pair].bent { -left } else { left })
     }
 
     /// Negative if the formula of a pair would pull after the approach.

@@ -32,6 +32,8 @@ pub(super) enum Event {
     Part(usize),
     /// The pounding force of a pair has a maximum or minimum while its damper acts.
     ForcePeak(usize),
+    /// The deformation of a pair passes to the other slope of its law.
+    Bend(usize),
     /// The formula of a pair begins to pull.
     Clamp(usize),
     /// The formula of a clamped pair pushes again.
@@ -75,6 +77,12 @@ pub(super) fn list(motion: &Equations, variable: Variable, events: &mut Vec<Even
     for (index, phase) in motion.phases.pairs.iter().enumerate() {
         if !matches!(phase.contact, ContactPhase::Resting { .. }) {
             events.push(Event::Reversal(index));
+        }
+        if let (Law::Compliant(law), true) = (motion.model.pairs[index].law, phase.contact.touches())
+            && law.bend().is_some()
+            && phase.bent != (phase.direction > 0.0)
+        {
+            events.push(Event::Bend(index));
         }
         match phase.contact {
             // Deformation grows only while the rate is positive, and every change of its sign ends a step.
@@ -138,6 +146,7 @@ impl Event {
                     ContactPhase::Apart | ContactPhase::Clamped => 0.0,
                 }
             }
+            Self::Bend(pair) => motion.before_bend(pair, y).unwrap_or(0.0),
             Self::Clamp(pair) => motion.grip(pair, y),
             Self::Grip(pair) => -motion.grip(pair, y),
             Self::Fade(pair) => {
@@ -190,6 +199,7 @@ impl Event {
                     *rising = -*rising;
                 }
             }
+            Self::Bend(pair) => phases.pairs[pair].bent = !phases.pairs[pair].bent,
             // If a parting or a reversal happens at the same instant, the phase has changed already.
             Self::Clamp(pair) => {
                 let contact = &mut phases.pairs[pair].contact;

@@ -29,6 +29,8 @@ enum Spring {
     Linear(f64),
     /// β δ^1.5; β in N/m^1.5.
     Hertz(f64),
+    /// `first` δ, and behind the deformation `bend` the stiffness `then`; N/m and m.
+    Bent { first: f64, then: f64, bend: f64 },
 }
 
 /// Damper force in addition to a spring force S.
@@ -53,6 +55,8 @@ pub(super) struct Touching {
     pub deformation: f64,
     /// δ̇ \[m/s\].
     pub rate: f64,
+    /// Whether a spring of two slopes is on its second one.
+    pub bent: bool,
     /// v₀ \[m/s\], at least [`pounding_contact::SLOWEST_APPROACH`].
     pub approach_speed: f64,
 }
@@ -74,6 +78,10 @@ impl Law {
             ContactLaw::ModifiedKelvin(_) => (Spring::Linear(k), Damper::Factor(last), true),
             ContactLaw::PantWijeyewickrema(_) => (Spring::Linear(k), Damper::Factor(last), false),
             ContactLaw::KuwabaraKono(_) => (Spring::Hertz(k), Damper::Root(last), true),
+            ContactLaw::TwoSlopes(law) => {
+                let (then, bend) = (law.second_stiffness, law.second_from);
+                (Spring::Bent { first: k, then, bend }, Damper::None, false)
+            }
         };
         Self::Compliant(Force {
             spring,
@@ -83,7 +91,24 @@ impl Law {
     }
 }
 
+impl Spring {
+    /// The coefficient with which the force begins.
+    fn stiffness(self) -> f64 {
+        let (Self::Linear(k) | Self::Hertz(k) | Self::Bent { first: k, .. }) = self;
+        k
+    }
+}
+
 impl Force {
+    /// Deformation at which a second slope begins \[m\]; `None` for other springs.
+    pub(super) fn bend(self) -> Option<f64> {
+        if let Spring::Bent { bend, .. } = self.spring {
+            Some(bend)
+        } else {
+            None
+        }
+    }
+
     /// Formula of the force on approach \[N\].
     pub(super) fn on_approach(self, pair: Touching) -> f64 {
         // Trial steps may overshoot the parting.
@@ -92,6 +117,8 @@ impl Force {
         let spring = match self.spring {
             Spring::Linear(k) => k * delta,
             Spring::Hertz(beta) => beta * root * root * root,
+            Spring::Bent { first, then, bend } if pair.bent => first * bend + then * (delta - bend),
+            Spring::Bent { first, .. } => first * delta,
         };
         match self.damper {
             Damper::None => spring,
@@ -118,8 +145,12 @@ impl Force {
         let (spring, n, rate) = match self.spring {
             Spring::Linear(k) => (k * delta, 1.0, k * delta * v),
             Spring::Hertz(beta) => (beta * root * delta, 1.5, 1.5 * beta * root * delta * v),
+            Spring::Bent { first, then, .. } => {
+                let stiffness = if pair.bent { then } else { first };
+                (stiffness * delta, 1.0, stiffness * delta * v)
+            }
         };
-        let (Spring::Linear(stiffness) | Spring::Hertz(stiffness)) = self.spring;
+        let stiffness = self.spring.stiffness();
         match self.damper {
             Damper::None => rate,
             Damper::Constant(c) => (stiffness * v + c * acceleration) * delta,
@@ -135,7 +166,7 @@ impl Force {
     /// A number with the sign of the formula after the approach, smooth at δ = 0; 1 if the formula never pulls.
     pub(super) fn grip(self, pair: Touching) -> f64 {
         let (delta, v) = (pair.deformation, pair.rate);
-        let (Spring::Linear(stiffness) | Spring::Hertz(stiffness)) = self.spring;
+        let stiffness = self.spring.stiffness();
         if !self.is_damped_throughout {
             return 1.0;
         }

@@ -43,6 +43,8 @@ pub(super) struct Structure {
     pub below: Option<usize>,
     /// Damping coefficient of the storey \[N·s/m\].
     pub damping: f64,
+    /// What yielding takes of it \[N·s/m\].
+    pub elastic_damping: f64,
     /// Damping coefficient of the floor against the ground, in addition to that of a storey on the ground \[N·s/m\].
     pub ground_damping: f64,
     pub columns: StoreyColumns,
@@ -264,6 +266,7 @@ fn structure<Column: Hysteretic>(node: &Node<Column>, arrival: f64) -> Structure
         inverse_mass: node.inverse_mass,
         below,
         damping: node.damping,
+        elastic_damping: node.elastic_damping,
         ground_damping,
         columns: StoreyColumns::of(node.column.hysteresis()),
         arrival,

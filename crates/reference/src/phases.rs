@@ -29,6 +29,8 @@ pub(super) struct PairPhase {
     /// Sign of the deformation rate.
     pub direction: f64,
     pub contact: ContactPhase,
+    /// Whether the deformation is on the second slope of the law.
+    pub bent: bool,
     /// Deformation rate at the first touch of the present contact \[m/s\], at least [`SLOWEST_APPROACH`].
     pub approach_speed: f64,
 }
@@ -105,6 +107,7 @@ impl Phases {
                     Law::Impulsive { .. } if closed => ContactPhase::IDLE,
                     Law::Impulsive { .. } | Law::Compliant(_) => ContactPhase::Apart,
                 },
+                bent: false,
                 approach_speed: SLOWEST_APPROACH,
             }
         };

@@ -346,6 +346,7 @@ impl Runner {
                 | Event::Balance(_)
                 | Event::Reversal(_)
                 | Event::ForcePeak(_)
+                | Event::Bend(_)
                 | Event::Clamp(_)
                 | Event::Grip(_)
                 | Event::Fade(_)

@@ -1,6 +1,6 @@
 //! What a run or an assessment assumes, in a table: a checking engineer asks for it before the numbers.
 
-use pounding_scene::{Contact, Damping, Floors, Link, Scene, Simulation, Structure};
+use pounding_scene::{Contact, DampedStiffness, Damping, Floors, Link, Scene, Simulation, Structure};
 use pounding_text::{Grid, Shown, Table, digits, short, two_digits};
 
 /// An assumption.
@@ -172,11 +172,17 @@ pub(crate) fn damping_given(structure: &Structure) -> Option<String> {
         Structure::Wall => return None,
     };
     let two = |[one, other]: [f64; 2]| format!("{} and {}", digits(one), digits(other));
-    match damping {
+    let given = match damping {
         Damping::Ratio(_) => (storeys > 1).then(|| "in modes 1 and 2".into()),
-        Damping::Rayleigh { alpha_per_s, beta_s } => Some(format!("α = {} /s, β = {} s", digits(alpha_per_s), digits(beta_s))),
-        Damping::TwoFrequencies { frequencies_hz, ratios } => Some(format!("{} at {} Hz", two(ratios), two(frequencies_hz))),
-        Damping::Modes { modes, ratios } => Some(format!("{} in modes {} and {}", two(ratios), modes[0], modes[1])),
+        Damping::Rayleigh { alpha_per_s, beta_s, .. } => Some(format!("α = {} /s, β = {} s", digits(alpha_per_s), digits(beta_s))),
+        Damping::TwoFrequencies {
+            frequencies_hz, ratios, ..
+        } => Some(format!("{} at {} Hz", two(ratios), two(frequencies_hz))),
+        Damping::Modes { modes, ratios, .. } => Some(format!("{} in modes {} and {}", two(ratios), modes[0], modes[1])),
+    };
+    match damping.stiffness() {
+        DampedStiffness::Initial => given,
+        DampedStiffness::Tangent => given.map(|given| format!("{given}, on the tangent stiffness")),
     }
 }
 

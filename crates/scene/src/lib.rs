@@ -50,8 +50,8 @@ pub use accuracy::opening::SimulationOptions;
 pub use accuracy::price::RunMode;
 pub use file::error::Error;
 pub use file::{
-    Building, Capacities, ColumnShape, Columns, Contact, Damping, FileUse, FloorHeights, Generated, Link, Method, PDelta, Property,
-    RecordUse, STANDARD_GRAVITY, Scene, Sdof, Source, Standing, Storey, Structure,
+    Building, Capacities, ColumnShape, Columns, Contact, DampedStiffness, Damping, FileUse, FloorHeights, Generated, Link, Method, PDelta,
+    Property, RecordUse, STANDARD_GRAVITY, Scene, Sdof, Source, Standing, Storey, Structure,
 };
 pub use ground_motion::{GroundMotion, Origin, SharedMotion, hexadecimal, sha256};
 pub use judge::certificate::{Certificate, CertificateRequest};

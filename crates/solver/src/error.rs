@@ -338,6 +338,15 @@ pub enum RunError {
         /// Events of the run so far.
         events: u64,
     },
+    /// Damping on the tangent stiffness that the method does not take.
+    #[error(
+        "structure {structure}: its damping follows the tangent stiffness, which exact, newmark and rk4 take, of \
+         columns with a sharp knee: choose one of these methods, or damping on the initial stiffness"
+    )]
+    TangentDamping {
+        /// Index of the structure.
+        structure: usize,
+    },
     /// The run needs more pieces than the budget allows.
     #[error(
         "t = {time:.4} s: the exact method has taken more than {allowed:e} pieces of motion, all that `budget.pieces` allows: make it \

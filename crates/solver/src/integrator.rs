@@ -1,6 +1,7 @@
 use crate::{
-    CentralDifference, Course, Exact, Excitation, Hht, Hysteretic, Laws, MoreauJean, Newmark, Recorder, Rk4, Row, RunError, Verlet, Work,
-    exact, explicit::central_difference, explicit::rk4, explicit::verlet, implicit::hht, implicit::moreau_jean, implicit::newmark,
+    CentralDifference, Course, Exact, Excitation, Hht, Hysteretic, Knee, Laws, MoreauJean, Newmark, Node, Recorder, Rk4, Row, RunError,
+    Verlet, Work, exact, explicit::central_difference, explicit::rk4, explicit::verlet, implicit::hht, implicit::moreau_jean,
+    implicit::newmark,
 };
 
 /// A method of time integration with its settings. Each method has a separate file and the same signature.
@@ -62,6 +63,7 @@ impl Integrator {
         if !row.links().is_empty() && !self.takes_links() {
             return Err(RunError::TakesNoLinks);
         }
+        self.takes_damping_of(row)?;
         match *self {
             Self::CentralDifference(settings) => central_difference::run(settings, row, excitation, course, recorder),
             Self::Newmark(settings) => newmark::run(settings, row, excitation, course, recorder),
@@ -76,6 +78,25 @@ impl Integrator {
     /// Whether the method takes links between floors.
     pub fn takes_links(&self) -> bool {
         matches!(self, Self::Exact(_) | Self::Rk4(_))
+    }
+
+    /// Whether the method lets damping follow the tangent stiffness. The others eliminate the dashpots before the first step, or
+    /// carry damping forces from step to step.
+    pub fn takes_tangent_damping(&self) -> bool {
+        match self {
+            Self::Exact(_) | Self::Newmark(_) | Self::Rk4(_) => true,
+            Self::CentralDifference(_) | Self::Verlet(_) | Self::Hht(_) | Self::MoreauJean(_) => false,
+        }
+    }
+
+    /// Refuses damping on the tangent stiffness that the method does not take, or of columns whose tangent changes smoothly.
+    fn takes_damping_of<Column: Hysteretic>(&self, row: &Row<Column>) -> Result<(), RunError> {
+        let follows = |node: &Node<Column>| {
+            let is_smooth = node.column.hysteresis().knee != Knee::Sharp;
+            node.elastic_damping > 0.0 && (is_smooth || !self.takes_tangent_damping())
+        };
+        let refused = row.nodes().iter().position(follows);
+        refused.map_or(Ok(()), |structure| Err(RunError::TangentDamping { structure }))
     }
 
     /// The laws that a run of the method must obey: only the exact method must keep energy to rounding.

@@ -11,6 +11,12 @@ pub(crate) trait Stepping<Column: RestoringForce> {
     /// Parts of a step at whose ends the method needs the ground.
     const PARTS: usize = 1;
 
+    /// Tangent stiffness of the columns below a node after the last step \[N/m\], for damping that follows it. Infinite for methods that refuse
+    /// such damping.
+    fn tangent(&self, _node: usize) -> f64 {
+        f64::INFINITY
+    }
+
     /// Takes a step and reports it.
     fn step<R: Recorder>(&mut self, row: &Row<Column>, step: ClockStep<'_>, work: &mut Work, recorder: &mut R) -> Result<(), RunError>;
 }
@@ -48,6 +54,8 @@ where
     let shaking = row.shaken(excitation, parts);
     let mut method = begin(shaking.at(0));
     let mut work = Work::default();
+    // The row with the damping of the last known tangent.
+    let mut present = row.has_tangent_damping().then(|| row.clone());
     for number in Method::FIRST..=clock.n_steps {
         guard.step(number, clock)?;
         let step = ClockStep {
@@ -56,7 +64,10 @@ where
             clock,
             parts: Method::PARTS,
         };
-        method.step(row, step, &mut work, recorder)?;
+        method.step(present.as_ref().unwrap_or(row), step, &mut work, recorder)?;
+        if let Some(present) = &mut present {
+            present.take_damping(row, |node| method.tangent(node));
+        }
         work.steps += 1;
         if recorder.fallen().is_some() {
             break;

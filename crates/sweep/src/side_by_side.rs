@@ -2,7 +2,7 @@
 
 use pounding_lanes::{ExactSideBySide, Excitations, RowsOf, SceneSums, SideBySide};
 use pounding_scene::Simulation;
-use pounding_solver::{AnyRow, CentralDifference, Clock, Elastic, Exact, Excitation, Integrator, Row};
+use pounding_solver::{AnyRow, CentralDifference, Clock, Elastic, Exact, Excitation, Integrator, Pair, Row};
 
 /// The rows of scenes with a common type of columns; `None` if types differ.
 macro_rules! rows {
@@ -53,6 +53,7 @@ pub(crate) fn alone_because(scene: &Simulation) -> Option<&'static str> {
         Integrator::CentralDifference(settings) => (settings.contact_substeps > 1).then_some("sub-steps in contact are those of one scene"),
         Integrator::Exact(settings) => match elastic(scene) {
             Some(row) if ExactSideBySide::takes(row, settings) => None,
+            Some(_) if scene.pairs().iter().any(bends) => Some("a law of two slopes is that of one scene by the exact method"),
             Some(_) if two && !scene.pairs().is_empty() => Some("the exact method goes side by side with a tolerance of 1e-12 or more"),
             Some(_) | None => {
                 Some("the exact method takes two elastic structures of one storey that can touch side by side, central differences any row")
@@ -70,6 +71,9 @@ pub(crate) fn alone_because(scene: &Simulation) -> Option<&'static str> {
     if !scene.row().links().is_empty() {
         return Some("links between floors are those of one scene");
     }
+    if matches!(scene.row(), AnyRow::Bilinear(row) if row.has_tangent_damping()) {
+        return Some("damping on the tangent stiffness is that of one scene");
+    }
     let of_row = || match (smooth, travels, scene.row().is_chain()) {
         (true, ..) => Some("Bouc–Wen columns are those of one scene"),
         (false, true, _) => Some("a motion that arrives at one structure after the other is that of one scene"),
@@ -77,6 +81,12 @@ pub(crate) fn alone_because(scene: &Simulation) -> Option<&'static str> {
         (false, false, true) => None,
     };
     of_row().or(of_method)
+}
+
+/// Whether the law of a pair has a second slope.
+fn bends(pair: &Pair) -> bool {
+    let form = pair.law.form(1.0, 1.0);
+    form.is_some_and(|form| form.second.is_some())
 }
 
 /// A scene with its index.

@@ -44,7 +44,7 @@ impl Law for LinearSpring {
     }
 
     fn peak_force(&self, pair: &FreePair) -> Option<f64> {
-        let spring = self.form(pair.reduced_mass, pair.approach_speed)?.spring;
-        Some(spring.at(pair.deformation(spring, 1.0)))
+        let form = self.form(pair.reduced_mass, pair.approach_speed)?;
+        Some(form.spring.at(pair.deformation(&form, 1.0)))
     }
 }

@@ -15,6 +15,7 @@ mod modified_linear_viscoelastic;
 mod nonlinear_viscoelastic;
 mod pant_wijeyewickrema;
 mod stereomechanical;
+mod two_slopes;
 
 pub use nonlinear_viscoelastic::ViscoelasticPair;
 
@@ -120,4 +121,5 @@ laws! {
     modified_kelvin::ModifiedKelvin,
     pant_wijeyewickrema::PantWijeyewickrema,
     kuwabara_kono::KuwabaraKono,
+    two_slopes::TwoSlopes,
 }

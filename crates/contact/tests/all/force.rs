@@ -1,7 +1,9 @@
 //! Forces and tangents of all laws.
 
 use crate::{PAIR, damped, law};
-use pounding_contact::{Action, Calibration, Clamp, ContactForce, ContactLaw, Hertz, LawName, LinearSpring, Overlap, SLOWEST_APPROACH};
+use pounding_contact::{
+    Action, Calibration, Clamp, ContactForce, ContactLaw, Hertz, LawName, LinearSpring, Overlap, SLOWEST_APPROACH, TwoSlopes,
+};
 use proptest::prelude::*;
 
 fn any_law() -> impl Strategy<Value = ContactLaw> {
@@ -9,7 +11,12 @@ fn any_law() -> impl Strategy<Value = ContactLaw> {
     let damped = (prop::sample::select(names), 0.05..1.0_f64).prop_map(|(name, e)| law(name, e, Calibration::Exact).expect("within range"));
     let linear = ContactLaw::LinearSpring(LinearSpring { impact_stiffness: 9.35e7 });
     let hertz = ContactLaw::Hertz(Hertz { impact_stiffness: 2.75e9 });
-    prop_oneof![8 => damped, 1 => Just(linear), 1 => Just(hertz)]
+    let bumper = ContactLaw::TwoSlopes(TwoSlopes {
+        impact_stiffness: 1e7,
+        second_stiffness: 1e9,
+        second_from: 0.01,
+    });
+    prop_oneof![8 => damped, 1 => Just(linear), 1 => Just(hertz), 1 => Just(bumper)]
 }
 
 fn respond(law: &ContactLaw, deformation: f64, rate: f64, approach_speed: f64) -> ContactForce {
@@ -47,9 +54,10 @@ proptest! {
         let here = at(deformation, rate);
         let (hx, hv) = (1e-5 * deformation, 1e-5 * rate.abs());
         let around = [at(deformation + hx, rate), at(deformation - hx, rate), at(deformation, rate + hv), at(deformation, rate - hv)];
-        // The tangent does not exist at the clamp, so that both sides of it are skipped.
+        // The tangent does not exist at the clamp and where a slope begins, so that both sides of it are skipped.
         prop_assume!(here.force > 0.0 && around.iter().all(|near| near.force > 0.0));
         let form = law.form(PAIR.reduced_mass, speed).unwrap();
+        prop_assume!(form.second.is_none_or(|second| (deformation - second.from).abs() > hx));
         let spring = form.spring.at(deformation);
         let scale = spring + (here.force - spring).abs();
         let stiffness = (around[0].force - around[1].force) / (2.0 * hx);
@@ -88,7 +96,8 @@ proptest! {
     fn limit_the_form_is_the_law(law in any_law(), deformation in 1e-9..1.0_f64, rate in -1.0..1.0_f64) {
         let form = law.form(PAIR.reduced_mass, 0.3).unwrap();
         let (known, found) = (form.unclamped(deformation, rate).max(0.0), respond(&law, deformation, rate, 0.3).force);
-        let scale = form.spring.at(deformation) + form.damper.at(deformation);
+        let second = form.second.map_or(0.0, |second| second.at(deformation).0);
+        let scale = form.spring.at(deformation) + second + form.damper.at(deformation);
         prop_assert!((known - found).abs() <= 1e-14 * scale, "{known} {found}");
     }
 }

@@ -159,6 +159,7 @@ mod tests {
                 spring: term(900.0, Power::ThreeHalves),
                 damper: term(20.0, Power::Quarter),
                 action: Action::Both,
+                second: None,
             },
             speed: 1.0,
             ground: [0.5, -2.0],

@@ -113,7 +113,10 @@ impl<'a> ExactSideBySide<'a> {
     pub fn takes(row: &Row<Elastic>, settings: Exact) -> bool {
         let on_ground = |node: usize| row.nodes()[node].support == Support::Ground && row.arrival(node) == 0.0;
         let two = row.nodes().len() == 2 && row.pairs().len() == 1 && row.is_chain();
-        let is_flown = |pair: &Pair| settings.tolerance >= FINEST || !pair.law.is_compliant();
+        let is_flown = |pair: &Pair| {
+            let of_pair = pair.law.form(1.0, 1.0);
+            of_pair.is_none_or(|form| form.second.is_none() && settings.tolerance >= FINEST)
+        };
         two && (0..2).all(on_ground) && row.pairs().iter().all(is_flown)
     }
 

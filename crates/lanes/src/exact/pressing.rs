@@ -73,6 +73,7 @@ impl<S: Simd> Pressing<S> {
                     spring: term(form.spring.power),
                     damper: term(form.damper.power),
                     action: form.action,
+                    second: None,
                 },
                 speed: zero,
                 ground: [zero; 2],

@@ -99,3 +99,51 @@ fn reference_two_routes_agree_on_every_law() {
         }
     }
 }
+
+/// Yielding takes β k of the damping: both routes meet the jumps, in contact and out of it.
+#[test]
+fn reference_two_routes_agree_on_damping_that_follows_the_tangent() {
+    for name in [
+        LawName::LinearSpring,
+        LawName::HertzDamp,
+        LawName::TwoSlopes,
+        LawName::Stereomechanical,
+    ] {
+        let e = if name.is_elastic() { 1.0 } else { 0.65 };
+        let stiffness = name.stiffness().map_or(0.0, |row| row.usual);
+        let law = name
+            .calibrated(stiffness, e, Calibration::Exact, &FreePair::UNIT)
+            .expect("within range");
+        // Damping of 0.01 k, on the initial or on the tangent stiffness.
+        let damped = |part: f64| {
+            let node = |node: &Node<Bilinear>| Node {
+                damping: node.damping + 0.01 * node.column.stiffness,
+                elastic_damping: part * 0.01 * node.column.stiffness,
+                ..*node
+            };
+            let nodes = row(law, 0.02).nodes().iter().map(node).collect();
+            Row::new(nodes, pairs(3, 0.01, law)).expect("as built")
+        };
+        let (whole, follows) = (damped(0.0), damped(1.0));
+        let ground = ground();
+        let excitation = Excitation::new(0.1, &ground).expect("finite");
+        let clock = Clock {
+            time_step: 0.01,
+            n_steps: 400,
+        };
+        let momenta = |row: &Row<Bilinear>| {
+            let mut momentum = TransferredMomentum::new(3);
+            Integrator::Exact(Exact::default())
+                .run(row, excitation, clock, &mut momentum)
+                .expect("the run ends");
+            [0, 1, 2].map(|index| momentum.of(index))
+        };
+        let (found, initial) = (momenta(&follows), momenta(&whole));
+        let response = run(&follows, &ground, 4.0);
+        for (index, known) in response.structures.iter().enumerate() {
+            close(found[index], known.transferred_momentum, 1e-10, name.name());
+        }
+        let differs = |index: usize| (found[index] / initial[index] - 1.0).abs() > 0.01;
+        assert!((0..3).any(differs), "{name:?}: {found:?} {initial:?}");
+    }
+}

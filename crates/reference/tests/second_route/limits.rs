@@ -85,6 +85,7 @@ fn limit_a_yield_force_never_reached_is_elastic() {
     let node = |node: &Node<Elastic>| Node {
         inverse_mass: node.inverse_mass,
         damping: node.damping,
+        elastic_damping: node.elastic_damping,
         support: node.support,
         initial_displacement: node.initial_displacement,
         initial_velocity: node.initial_velocity,

@@ -22,7 +22,10 @@ const FAR: f64 = 1e6;
 
 impl ScriptLink {
     pub(super) fn of(link: &Link) -> Self {
-        let ends = link.relation.points().map(|point| (point.floor(), matches!(point, Point::Ground(_))));
+        let ends = link
+            .relation
+            .points()
+            .map(|point| (point.floor(), matches!(point, Point::Ground(_))));
         let material = |name, parameters: &[f64]| LinkMaterial {
             name,
             parameters: parameters.iter().map(|one| format!("{one:?}")).collect(),
@@ -38,7 +41,11 @@ impl ScriptLink {
                 [yields].into_iter().chain(dashpot).collect()
             }
             LinkLaw::Restrainer(cable) => {
-                let yields = if cable.yield_force.is_finite() { cable.yield_force } else { cable.stiffness * FAR };
+                let yields = if cable.yield_force.is_finite() {
+                    cable.yield_force
+                } else {
+                    cable.stiffness * FAR
+                };
                 let mut gap = material("ElasticPPGap", &[cable.stiffness, yields, cable.slack, 0.0]);
                 // Plastic elongation adds to the slack.
                 gap.parameters.push("\"damage\"".into());

@@ -35,6 +35,12 @@ impl OpenSees {
     /// # Errors
     /// Names the field that the script does not model, or gives the failure of the exact run.
     pub fn script(self, prepared: &Simulation) -> Result<String, OpenSeesError> {
+        let damped = prepared.scene().structures.iter().position(Structure::has_tangent_damping);
+        if let Some(index) = damped {
+            return Err(OpenSeesError::NotModelled(format!(
+                "structures[{index}]: found damping on the tangent stiffness, allowed is the initial one: the script has a dashpot in every storey"
+            )));
+        }
         let row = ScriptRow::of(prepared);
         let materials = materials(prepared, &row, self.approximate).map_err(OpenSeesError::NotModelled)?;
         let prepared = &prepared.exact().map_err(OpenSeesError::Run)?;

@@ -396,7 +396,7 @@ impl Building {
 
     /// Factor β of the damping above isolators, proportional to stiffness \[s\]: a ratio holds in the first mode of the building that is fixed
     /// above them.
-    fn damping_above_isolators(&self) -> f64 {
+    pub(super) fn damping_above_isolators(&self) -> f64 {
         match self.damping {
             Damping::Ratio(ratio) => {
                 let above: Vec<_> = self.storeys[1..]
@@ -470,10 +470,10 @@ impl Building {
     }
 
     /// Rayleigh damping of all storeys; a damping ratio for a building of one storey.
-    fn rayleigh(&self) -> SolverDamping {
+    pub(super) fn rayleigh(&self) -> SolverDamping {
         let (of_modes, ratios) = match self.damping {
             Damping::Ratio(ratio) if self.storeys.len() > 1 => ([1, 2], [ratio, ratio]),
-            Damping::Modes { modes, ratios } => (modes, ratios),
+            Damping::Modes { modes, ratios, .. } => (modes, ratios),
             Damping::Ratio(_) | Damping::Rayleigh { .. } | Damping::TwoFrequencies { .. } => {
                 return self.damping.to_solver();
             }

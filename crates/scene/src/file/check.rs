@@ -86,6 +86,7 @@ impl Scene {
         if let Some(duration) = self.duration_s {
             require(duration > 0.0, "duration_s", duration, POSITIVE)?;
         }
+        structure::check_tangent_damping(self)?;
         let Some(dt) = self.method.time_step() else {
             return Ok(());
         };

@@ -5,6 +5,8 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::choice::Choice;
+use super::method::is_default;
+use crate::{Building, Columns, Sdof, Storey, Structure};
 
 /// Viscous damping of a structure.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -18,6 +20,9 @@ pub enum Damping {
         alpha_per_s: f64,
         /// Stiffness coefficient β \[s\], ≥ 0.
         beta_s: f64,
+        /// Stiffness that β multiplies.
+        #[serde(default, skip_serializing_if = "is_default")]
+        stiffness: DampedStiffness,
     },
     /// Rayleigh damping that has these ratios at two frequencies.
     TwoFrequencies {
@@ -25,6 +30,9 @@ pub enum Damping {
         frequencies_hz: [f64; 2],
         /// The damping ratio at each frequency \[–\], ≥ 0.
         ratios: [f64; 2],
+        /// Stiffness that β multiplies.
+        #[serde(default, skip_serializing_if = "is_default")]
+        stiffness: DampedStiffness,
     },
     /// Rayleigh damping that has these ratios in two modes of a building.
     Modes {
@@ -32,7 +40,21 @@ pub enum Damping {
         modes: [usize; 2],
         /// The damping ratio in each \[–\], ≥ 0.
         ratios: [f64; 2],
+        /// Stiffness that β multiplies.
+        #[serde(default, skip_serializing_if = "is_default")]
+        stiffness: DampedStiffness,
     },
+}
+
+/// The stiffness that β of Rayleigh damping multiplies.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum DampedStiffness {
+    /// That of the elastic columns, always.
+    #[default]
+    Initial,
+    /// That of the present branch: columns that yield lose damping.
+    Tangent,
 }
 
 impl Choice for Damping {
@@ -45,20 +67,85 @@ impl Choice for Damping {
 }
 
 impl Damping {
+    /// The stiffness that β multiplies.
+    pub fn stiffness(self) -> DampedStiffness {
+        match self {
+            Self::Ratio(_) => DampedStiffness::Initial,
+            Self::Rayleigh { stiffness, .. } | Self::TwoFrequencies { stiffness, .. } | Self::Modes { stiffness, .. } => stiffness,
+        }
+    }
+
+    /// Name of the choice in files.
+    pub(crate) fn name(self) -> &'static str {
+        match self {
+            Self::Ratio(_) => "ratio",
+            Self::Rayleigh { .. } => "rayleigh",
+            Self::TwoFrequencies { .. } => "two_frequencies",
+            Self::Modes { .. } => "modes",
+        }
+    }
+
     /// Converts the damping for the solver. If two frequencies are out of range, which the check of a scene refuses, the structure is
     /// undamped.
     pub(super) fn to_solver(self) -> SolverDamping {
         match self {
             Self::Ratio(ratio) => SolverDamping::Ratio(ratio),
-            Self::Rayleigh { alpha_per_s, beta_s } => SolverDamping::Rayleigh {
+            Self::Rayleigh { alpha_per_s, beta_s, .. } => SolverDamping::Rayleigh {
                 alpha: alpha_per_s,
                 beta: beta_s,
             },
-            Self::TwoFrequencies { frequencies_hz, ratios } => {
-                SolverDamping::rayleigh_from_ratios(frequencies_hz, ratios).unwrap_or(SolverDamping::Ratio(0.0))
-            }
+            Self::TwoFrequencies {
+                frequencies_hz, ratios, ..
+            } => SolverDamping::rayleigh_from_ratios(frequencies_hz, ratios).unwrap_or(SolverDamping::Ratio(0.0)),
             // The check of a scene refuses this for a structure of one storey, and a building finds its own coefficients.
             Self::Modes { .. } => SolverDamping::Ratio(0.0),
         }
+    }
+}
+
+/// Part of a storey's damping that its columns take away when they yield \[N·s/m\].
+fn elastic_damping(beta: f64, columns: &Columns) -> f64 {
+    let remaining = columns.hardening_ratio.unwrap_or(0.0);
+    let lost = columns.yield_force_n.map_or(0.0, |_| (1.0 - remaining) * columns.stiffness_n_per_m);
+    beta * lost
+}
+
+impl Structure {
+    /// Whether β of its damping follows the tangent stiffness.
+    pub fn has_tangent_damping(&self) -> bool {
+        let damping = match self {
+            Self::Sdof(sdof) => sdof.damping,
+            Self::Building(building) => building.damping,
+            Self::Wall => return false,
+        };
+        damping.stiffness() == DampedStiffness::Tangent
+    }
+}
+
+impl Sdof {
+    /// Part of the damping that the columns take away when they yield \[N·s/m\]; 0 for damping on the initial stiffness.
+    pub(crate) fn elastic_damping(&self) -> f64 {
+        match self.damping.stiffness() {
+            DampedStiffness::Initial => 0.0,
+            DampedStiffness::Tangent => elastic_damping(self.damping.to_solver().beta(), &self.columns()),
+        }
+    }
+}
+
+impl Building {
+    /// Part of each storey's damping that its columns take away when they yield \[N·s/m\]: 0 for damping on the initial stiffness, and of
+    /// isolators, which have their own.
+    pub(crate) fn elastic_dampings(&self) -> Vec<f64> {
+        let isolated = self.isolator_damping().is_some();
+        let beta = match self.damping.stiffness() {
+            DampedStiffness::Initial => 0.0,
+            DampedStiffness::Tangent if isolated => self.damping_above_isolators(),
+            DampedStiffness::Tangent => self.rayleigh().beta(),
+        };
+        let of = |(index, storey): (usize, &Storey)| {
+            let beta = if isolated && index == 0 { 0.0 } else { beta };
+            elastic_damping(beta, &storey.columns)
+        };
+        self.storeys.iter().enumerate().map(of).collect()
     }
 }

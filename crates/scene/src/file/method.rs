@@ -122,7 +122,7 @@ fn is_finest(tolerance: &f64) -> bool {
     *tolerance <= finest()
 }
 
-fn is_default<T: Default + PartialEq>(value: &T) -> bool {
+pub(super) fn is_default<T: Default + PartialEq>(value: &T) -> bool {
     *value == T::default()
 }
 
@@ -164,6 +164,11 @@ impl Method {
             Self::Exact { .. } => "exact",
             Self::Accuracy(_) => "accuracy",
         }
+    }
+
+    /// Whether the method lets damping follow the tangent stiffness; a method for an accuracy is one of those that do.
+    pub(crate) fn takes_tangent_damping(self) -> bool {
+        matches!(self, Self::Accuracy(_)) || self.integrator().takes_tangent_damping()
     }
 
     /// Time step \[s\]; `None` for the exact method, and for an accuracy whose method is not yet found.

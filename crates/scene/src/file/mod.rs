@@ -35,7 +35,7 @@ use budget::Patience;
 pub use budget::RunBudget;
 pub use building::{Building, Storey};
 pub use columns::{BoucWen, Capacities, Columns};
-pub use damping::Damping;
+pub use damping::{DampedStiffness, Damping};
 pub use generated::{Generated, Ground, Stochastic};
 pub use link::{End, Law, Link, OfRow, Side, Standing};
 pub use method::{Jumps, Method, Start};

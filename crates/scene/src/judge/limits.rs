@@ -164,7 +164,7 @@ impl Expected {
         } = self.pair;
         let form = law.form(reduced_mass, approach_speed)?;
         let contact = law.respond(&Overlap {
-            deformation: form.spring.deformation(self.peak_force),
+            deformation: form.deformation(self.peak_force),
             // The pair approaches, so that every damper acts, but so slowly that dampers add no force.
             rate: f64::MIN_POSITIVE,
             reduced_mass,
@@ -180,10 +180,8 @@ impl Expected {
 
 /// Approach speed \[m/s\] of a pair that only a spring stops with a force \[N\]: ½ m v² = F δ/(n + 1).
 fn speed_to(force: f64, law: &ContactLaw, pair: &FreePair) -> f64 {
-    law.form(pair.reduced_mass, 1.0).map_or(0.0, |form| {
-        let stored = force * form.spring.deformation(force) / (form.spring.power.value() + 1.0);
-        (2.0 * stored / pair.reduced_mass).sqrt()
-    })
+    law.form(pair.reduced_mass, 1.0)
+        .map_or(0.0, |form| (2.0 * form.stored(force) / pair.reduced_mass).sqrt())
 }
 
 /// Adds the columns of both structures to a contact's oscillation: an upper bound of the frequency.

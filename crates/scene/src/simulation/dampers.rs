@@ -16,7 +16,8 @@ pub struct MassDamping {
 
 impl Simulation {
     /// Peak force of the damper beside the columns of every storey \[N\], in the order of the row: without dashpots to the ground. Empty if
-    /// drift rates were not asked for.
+    /// drift rates were not asked for. If damping follows the tangent stiffness and the storey yields, it is the force of the damping that
+    /// yielding leaves, at the peak rate.
     pub(crate) fn damper_forces(&self, result: &RunResult) -> Vec<f64> {
         let Some(rates) = &result.drift_rates else {
             return Vec::new();
@@ -25,12 +26,15 @@ impl Simulation {
         let mut forces = vec![0.0; floors.all().len()];
         for (index, structure) in self.scene().structures.iter().enumerate() {
             let coefficients = match structure {
-                Structure::Sdof(sdof) => vec![(sdof.damping_coefficient(), 0.0)],
-                Structure::Building(building) => building.dampings(),
+                Structure::Sdof(sdof) => vec![((sdof.damping_coefficient(), 0.0), sdof.elastic_damping())],
+                Structure::Building(building) => building.dampings().into_iter().zip(building.elastic_dampings()).collect(),
                 Structure::Wall => continue,
             };
-            for (floor, (coefficient, _)) in floors.of_structure(index).iter().zip(coefficients) {
-                forces[*floor] = coefficient * rates.of(*floor).value.abs();
+            for (floor, ((coefficient, _), elastic)) in floors.of_structure(index).iter().zip(coefficients) {
+                let drift = result.peaks.of(*floor).drift().value.abs();
+                let yields = floors.all()[*floor].ductility(drift).is_some_and(|ductility| ductility > 1.0);
+                let left = if yields { coefficient - elastic } else { coefficient };
+                forces[*floor] = left * rates.of(*floor).value.abs();
             }
         }
         forces

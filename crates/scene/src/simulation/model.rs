@@ -185,7 +185,7 @@ fn nodes<Column>(scene: &Scene, floors: &Floors, column: impl Fn(&Columns) -> Co
     // The dampings of a building are found together. The search ends with the last building, so that structures of one storey need no
     // memory.
     let of_building = |one: &Structure| match one {
-        Structure::Building(building) => building.dampings(),
+        Structure::Building(building) => building.dampings().into_iter().zip(building.elastic_dampings()).collect(),
         Structure::Sdof(_) | Structure::Wall => Vec::new(),
     };
     let is_building = |one: &Structure| matches!(one, Structure::Building(_));
@@ -197,8 +197,8 @@ fn nodes<Column>(scene: &Scene, floors: &Floors, column: impl Fn(&Columns) -> Co
             return Node::wall(column(&Columns::elastic(1.0)));
         };
         let (_, storey) = floors.levels().place(index);
-        let (damping, ground_damping) = match &scene.structures[floor.structure] {
-            Structure::Sdof(sdof) => (sdof.damping_coefficient(), 0.0),
+        let ((damping, ground_damping), elastic_damping) = match &scene.structures[floor.structure] {
+            Structure::Sdof(sdof) => ((sdof.damping_coefficient(), 0.0), sdof.elastic_damping()),
             Structure::Building(_) | Structure::Wall => dampings[floor.structure][storey],
         };
         let storey = Storey {
@@ -208,6 +208,7 @@ fn nodes<Column>(scene: &Scene, floors: &Floors, column: impl Fn(&Columns) -> Co
             column: column(&made.leaning_columns()),
         };
         Node {
+            elastic_damping,
             initial_displacement: made.initial_displacement_m,
             initial_velocity: made.initial_velocity_m_per_s,
             ..floors.levels().floor(index, storey)

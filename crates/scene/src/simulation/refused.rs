@@ -90,7 +90,7 @@ fn of_node(floor: &Floor, scene: &Scene, field: &str, found: f64) -> Refused {
         _ => (
             format!("{of_structure}.damping"),
             found,
-            "damping of which the coefficients [N s/m] are finite and not negative",
+            "damping of which the coefficients [N s/m] are finite and not negative, before and after yielding",
         ),
     };
     out_of_range(place, found, allowed)

@@ -402,9 +402,10 @@ impl Simulation {
                 let help = "use a shorter duration_s, or leave it out for that of the record and two periods";
                 return Error::in_scene(&self.scene.name, found.so(": ", help).kind(RefusalKind::Together));
             }
-            RunError::Diverged { structure, .. } | RunError::TooStiff { structure, .. } | RunError::OutOfNumbers { structure, .. } => {
-                structure..structure + 1
-            }
+            RunError::Diverged { structure, .. }
+            | RunError::TangentDamping { structure }
+            | RunError::TooStiff { structure, .. }
+            | RunError::OutOfNumbers { structure, .. } => structure..structure + 1,
             RunError::NotConverged { first, last, .. } | RunError::ImpulsesNotFound { first, last, .. } => first..last + 1,
             RunError::BouncesWithoutEnd { left, right, .. }
             | RunError::TooDamped { left, right, .. }

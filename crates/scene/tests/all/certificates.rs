@@ -20,8 +20,7 @@ fn wanted(law: LawName, restitution: f64, calibration: Calibration) -> Certifica
 
 /// Laws with a damping.
 fn damped() -> impl Iterator<Item = LawName> {
-    let springs = [LawName::LinearSpring, LawName::Hertz];
-    LawName::ALL.into_iter().filter(move |law| !springs.contains(law))
+    LawName::ALL.into_iter().filter(|law| !law.is_elastic())
 }
 
 #[test]

@@ -1,6 +1,7 @@
 //! Tests of scenes; the kind of each is in its name.
 
 mod beside;
+mod bumpers;
 mod capacities;
 mod certificates;
 mod collapse;
@@ -17,3 +18,4 @@ mod numbers;
 mod openings;
 mod scene_files;
 mod spectrum;
+mod tangent_damping;

@@ -32,6 +32,14 @@ pub(super) enum Phase {
     Parting,
 }
 
+/// The slope of a law on which a deformation is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum OnSlope {
+    /// The only one, or the first of two.
+    First,
+    Second,
+}
+
 /// State of the gap of a pair.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Gap {
@@ -60,6 +68,8 @@ pub(super) struct PairState {
     pub(super) grounds: Grounds,
     /// Form of the present contact, which may contain its approach speed; `None` before the first contact.
     pub(super) form: Option<Form>,
+    /// The slope of the form on which the deformation is.
+    pub(super) slope: OnSlope,
     /// Rate of deformation at the touch.
     pub(super) approach_speed: f64,
     /// Pieces of the present contact, if its law depends on the approach speed.
@@ -131,6 +141,7 @@ impl PairState {
             reduced_mass,
             grounds: Grounds::Alike,
             form: None,
+            slope: OnSlope::First,
             approach_speed: 0.0,
             pieces: 0,
             link: Link::Apart,
@@ -192,7 +203,7 @@ impl PairState {
 
     /// Begins compliant contact, with the rate of the touch as approach speed.
     pub(super) fn begin(&mut self) {
-        (self.approach_speed, self.pieces) = (self.rate.max(0.0), 0);
+        (self.approach_speed, self.pieces, self.slope) = (self.rate.max(0.0), 0, OnSlope::First);
         self.form = self.law.form(self.reduced_mass, self.approach_speed);
         self.link = Link::Touching(Phase::Approach);
     }
@@ -206,6 +217,18 @@ impl PairState {
     /// Notes that the force before the clamp has changed sign.
     pub(super) fn cross(&mut self, phase: Phase) {
         (self.link, self.crossed) = (Link::Touching(phase), self.time);
+    }
+
+    /// Continues on the other slope of the law.
+    pub(super) fn bend(&mut self) {
+        self.slope = match self.slope {
+            OnSlope::First => OnSlope::Second,
+            OnSlope::Second => OnSlope::First,
+        };
+        // The rounding of time would lead back across the bend at once.
+        if let Some(second) = self.form.and_then(|form| form.second) {
+            self.deformation = second.from;
+        }
     }
 
     /// Gives the floors of the pair an impulse \[N·s\].

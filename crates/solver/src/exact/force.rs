@@ -1,8 +1,8 @@
 //! The series of deformation, rate and force of compliant contact.
 
-use pounding_contact::{Action, Form, Power as Exponent, Term};
+use pounding_contact::{Action, Form, Power as Exponent, Slope, Term};
 
-use crate::exact::contact::{Link, PairState, Phase};
+use crate::exact::contact::{Link, OnSlope, PairState, Phase};
 use crate::exact::member::Member;
 use crate::roots::CAPACITY;
 use crate::span::Power;
@@ -62,13 +62,25 @@ impl PairState {
         self.force[n] = if phase == Phase::Clamped {
             0.0
         } else {
-            let spring = self.spring(form.spring, power, n);
+            let spring = self.spring(form.spring, power, n) + self.second_slope(&form, n);
             if phase == Phase::Approach || form.action == Action::Both {
                 spring + self.damper(form.damper, power, n)
             } else {
                 spring
             }
         };
+    }
+
+    /// Coefficient `n` of the way that the deformation has made on the second slope; 0 without such a slope.
+    pub(super) fn way_beyond(&self, form: &Form, n: usize) -> f64 {
+        let from = |second: Slope| if n == 0 { second.from } else { 0.0 };
+        form.second.map_or(0.0, |second| self.deformations[n] - from(second))
+    }
+
+    /// Coefficient `n` of the force that the second slope adds.
+    fn second_slope(&self, form: &Form, n: usize) -> f64 {
+        let second = form.second.filter(|_| self.slope == OnSlope::Second);
+        second.map_or(0.0, |second| second.added * self.way_beyond(form, n))
     }
 
     /// The force before the clamp divided by δ^κ: K δ^(n−κ) + C δ̇ has the sign of the force.

@@ -56,8 +56,11 @@ pub(super) struct Member {
     pub(super) arrival: f64,
     /// The piece of ground motion of the present expansion.
     pub(super) ground: Segment,
-    /// Damping of the storey; for a floor on the ground, all its damping.
+    /// Damping of the storey on the present branch; for a floor on the ground, all its damping.
     pub(super) damping: f64,
+    /// Its damping on the elastic branch, and the part that it loses on the others.
+    whole_damping: f64,
+    elastic_damping: f64,
     /// Damping against the ground, for a floor that stands on another floor.
     pub(super) ground_damping: f64,
     /// The floor that stands on it.
@@ -142,6 +145,8 @@ impl Member {
             arrival: row.arrival(node),
             ground: Segment::default(),
             damping: floor.damping,
+            whole_damping: floor.damping,
+            elastic_damping: floor.elastic_damping,
             ground_damping,
             above: row.above(node),
             storey,
@@ -204,6 +209,15 @@ impl Member {
     /// Whether its columns take another path when the drift turns.
     pub(super) fn unloads(&self) -> bool {
         self.branch != Branch::Elastic || self.bend.is_some()
+    }
+
+    /// Continues on a branch, with its damping.
+    pub(super) fn go_on(&mut self, branch: Branch) {
+        self.branch = branch;
+        self.damping = match branch {
+            Branch::Elastic => self.whole_damping,
+            Branch::Right | Branch::Left => self.whole_damping - self.elastic_damping,
+        };
     }
 
     /// Tangent stiffness of the branch \[N/m\].
@@ -318,7 +332,7 @@ impl Member {
             Branch::Left => rate > 0.0,
         };
         if turned {
-            self.branch = Branch::Elastic;
+            self.go_on(Branch::Elastic);
         }
         turned
     }

@@ -1,10 +1,10 @@
 //! The search for the first event of a piece.
 
 use crate::exact::columns::{Branch, LoadingLine};
-use crate::exact::contact::{Link, PairState, Phase};
+use crate::exact::contact::{Link, OnSlope, PairState, Phase};
 use crate::exact::links::Branch as LinkBranch;
 use crate::exact::member::Member;
-use crate::exact::{ExactRun, Touching};
+use crate::exact::{ExactRun, Touching, rounding};
 use crate::roots::{CAPACITY, LOST, SHORTEST_WAY, first_root};
 use crate::span::Power;
 use crate::{Recorder, RunError};
@@ -32,6 +32,8 @@ pub(super) enum Event {
     Fade(usize),
     /// The rate of deformation of a pair changes sign.
     Reversal(usize),
+    /// The deformation of a pair passes to the other slope of its law.
+    Bend(usize),
     /// The law of a pair begins to pull.
     Clamp(usize),
     /// The law of a pair that pulled pushes again.
@@ -151,6 +153,21 @@ impl Touching<'_> {
                 watch.rise(len, |n| -contact.deformations[n], Event::Part(pair));
             }
         }
+        if let (Link::Touching(_), Some(form)) = (contact.link, contact.form)
+            && form.second.is_some()
+        {
+            // Just after the event the distance is rounding.
+            let at_bend = contact.way_beyond(&form, 0).abs() <= rounding::OF_SUMS * contact.scale;
+            let side = if contact.slope == OnSlope::Second { -1.0 } else { 1.0 };
+            let way = |n: usize| {
+                if n == 0 && at_bend {
+                    0.0
+                } else {
+                    side * contact.way_beyond(&form, n)
+                }
+            };
+            watch.rise(len, way, Event::Bend(pair));
+        }
     }
 }
 
@@ -203,13 +220,13 @@ impl<R: Recorder> ExactRun<'_, R> {
             Event::Turn(leader) => {
                 for node in leader..self.touching.led_by(leader).end {
                     if self.moving.members[node].storey.is_none() {
-                        self.moving.members[node].branch = Branch::Elastic;
+                        self.moving.members[node].go_on(Branch::Elastic);
                     }
                 }
             }
             Event::TurnOfDrift(node) => {
                 let member = &mut self.moving.members[node];
-                member.branch = Branch::Elastic;
+                member.go_on(Branch::Elastic);
                 if let Some(storey) = &mut member.storey {
                     storey.still = true;
                 }
@@ -219,7 +236,8 @@ impl<R: Recorder> ExactRun<'_, R> {
             Event::Cross(_) | Event::Fall | Event::Link(..) | Event::FlowTurns(_) | Event::LinkTurns(_) | Event::LinkPeaks(_) => {}
             Event::Yield(node, branch) => {
                 let member = &mut self.moving.members[node];
-                (member.branch, member.line) = (branch, LoadingLine::Shifted);
+                member.go_on(branch);
+                member.line = LoadingLine::Shifted;
             }
             Event::Balance(node) => self.moving.members[node].balanced = true,
             Event::Extremum(node) => self.moving.members[node].peaked = true,
@@ -245,6 +263,7 @@ impl<R: Recorder> ExactRun<'_, R> {
                     }
                 }
             }
+            Event::Bend(pair) => self.touching.contacts[pair].bend(),
             Event::Clamp(pair) => self.touching.contacts[pair].cross(Phase::Clamped),
             Event::Grip(pair) => self.touching.contacts[pair].cross(Phase::Restitution),
             Event::Part(pair) => {

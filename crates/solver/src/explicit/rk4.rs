@@ -67,6 +67,8 @@ struct Scratch<Memory> {
     /// States at the start of the step, after impacts.
     states: Vec<State>,
     memories: Vec<Memory>,
+    /// Tangent stiffnesses at the end of the last step \[N/m\].
+    tangents: Vec<f64>,
     /// States of the present stage.
     stages: Vec<State>,
     /// Weighted sums of velocities and accelerations over the stages.
@@ -95,6 +97,10 @@ pub(crate) fn run<Column: RestoringForce, R: Recorder>(
 impl<Column: RestoringForce> Stepping<Column> for Scratch<Column::Memory> {
     const PARTS: usize = 2;
 
+    fn tangent(&self, node: usize) -> f64 {
+        self.tangents[node]
+    }
+
     #[inline]
     fn step<R: Recorder>(&mut self, row: &Row<Column>, step: ClockStep<'_>, work: &mut Work, recorder: &mut R) -> Result<(), RunError> {
         self.advance(row, step.parts(), step.clock.time_step);
@@ -110,6 +116,7 @@ impl<Memory: Copy> Scratch<Memory> {
         let (states, memories) = row.initial(ground);
         let nothing = Load::at(&State::default(), StoreyForces::default(), 0.0);
         Self {
+            tangents: vec![f64::INFINITY; states.len()],
             stages: states.clone(),
             slopes: vec![(0.0, 0.0); states.len()],
             loads: vec![[nothing; 4]; states.len()],
@@ -203,7 +210,7 @@ impl<Memory: Copy> Scratch<Memory> {
             let drift = row.drift(structure, &self.stages);
             let response = node.column.respond(drift, self.memories[structure]);
             self.stages[structure].restoring_force = response.force;
-            self.memories[structure] = response.memory;
+            (self.memories[structure], self.tangents[structure]) = (response.memory, response.tangent);
         }
         for node in 0..self.stages.len() {
             let mut load = row.load(node, &self.stages, ground.under(node));

@@ -121,6 +121,10 @@ impl Family {
 }
 
 impl<Column: RestoringForce> Stepping<Column> for NewmarkRun<Column::Memory> {
+    fn tangent(&self, node: usize) -> f64 {
+        self.scratch.trials[node].response.tangent
+    }
+
     #[inline]
     fn step<R: Recorder>(&mut self, row: &Row<Column>, step: ClockStep<'_>, work: &mut Work, recorder: &mut R) -> Result<(), RunError> {
         let (dt, at_ends) = (step.clock.time_step, step.ends());
@@ -153,6 +157,13 @@ impl<Memory: Copy> NewmarkRun<Memory> {
     /// comes from the start of the step.
     fn predict<Column: RestoringForce<Memory = Memory>>(&mut self, row: &Row<Column>, dt: f64, ground: Ground<'_>) {
         let Family { beta, gamma, alpha, .. } = self.family;
+        // Damping that follows the tangent may have jumped.
+        if row.has_tangent_damping() {
+            for node in 0..row.nodes().len() {
+                let acceleration = row.acceleration(node, &self.scratch.states, ground.under(node));
+                self.scratch.states[node].acceleration = acceleration;
+            }
+        }
         let states = &self.scratch.states;
         for ((node, state), trial) in states.iter().enumerate().zip(&mut self.scratch.trials) {
             trial.predicted = (

@@ -25,6 +25,14 @@ impl Damping {
         }
     }
 
+    /// Stiffness coefficient β \[s\] of Rayleigh damping; 0 for a ratio.
+    pub const fn beta(&self) -> f64 {
+        match self {
+            Self::Ratio(_) => 0.0,
+            Self::Rayleigh { beta, .. } => *beta,
+        }
+    }
+
     /// Damping ratio ζ = c/(2√(k m)) \[–\] of a structure of mass \[kg\] and elastic stiffness \[N/m\].
     pub fn ratio(&self, mass: f64, stiffness: f64) -> f64 {
         self.coefficient(mass, stiffness) / (2.0 * (stiffness * mass).sqrt())

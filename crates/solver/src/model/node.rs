@@ -12,6 +12,9 @@ pub struct Node<Column> {
     pub inverse_mass: f64,
     /// Damping coefficient c of the storey below the floor \[N·s/m\], ≥ 0.
     pub damping: f64,
+    /// Part of `damping` that the storey has only while its columns do not yield \[N·s/m\], 0 ..= `damping`: β (k − `k_t`) of Rayleigh damping
+    /// on the tangent stiffness. 0 for damping on the initial stiffness, and for columns that yield smoothly.
+    pub elastic_damping: f64,
     /// The columns of that storey.
     pub column: Column,
     /// Support of the columns.
@@ -28,6 +31,7 @@ impl<Column> Node<Column> {
         Self {
             inverse_mass: 1.0 / mass,
             damping,
+            elastic_damping: 0.0,
             column,
             support: Support::Ground,
             initial_displacement: 0.0,
@@ -49,6 +53,7 @@ impl<Column> Node<Column> {
         Self {
             inverse_mass: 0.0,
             damping: 0.0,
+            elastic_damping: 0.0,
             column,
             support: Support::Ground,
             initial_displacement: 0.0,

@@ -238,6 +238,20 @@ impl<Column: RestoringForce> Row<Column> {
         let [left, right] = pair.relation.points().map(|point| point.mobility(mobility));
         reduced_mass(left, right)
     }
+
+    /// Whether some damping follows the tangent stiffness ([`Node::elastic_damping`]).
+    pub fn has_tangent_damping(&self) -> bool {
+        self.nodes.iter().any(|node| node.elastic_damping > 0.0)
+    }
+
+    /// Gives the storeys the damping that those of a `whole` row have at these tangent stiffnesses \[N/m\].
+    pub(crate) fn take_damping(&mut self, whole: &Self, tangent: impl Fn(usize) -> f64) {
+        for (index, (node, whole)) in self.nodes.iter_mut().zip(&whole.nodes).enumerate() {
+            let yields = tangent(index) < whole.column.loaded(0.0).tangent;
+            let missing = if yields { whole.elastic_damping } else { 0.0 };
+            node.damping = whole.damping - missing;
+        }
+    }
 }
 
 impl<Column> Row<Column> {
@@ -268,6 +282,8 @@ fn check_node<Column>(index: usize, node: &Node<Column>) -> Result<(), ModelErro
     };
     require(node.inverse_mass >= 0.0, "inverse_mass", node.inverse_mass, NOT_NEGATIVE)?;
     require(node.damping >= 0.0, "damping", node.damping, NOT_NEGATIVE)?;
+    let part = (0.0..=node.damping).contains(&node.elastic_damping);
+    require(part, "elastic_damping", node.elastic_damping, "0 to the damping of the storey")?;
     let stands = !node.is_wall() || node.initial_displacement == 0.0;
     require(
         stands,

@@ -45,6 +45,7 @@ mod storeys_ledger;
 mod storeys_meeting;
 mod storeys_recorders;
 mod storeys_yielding;
+mod tangent_damping;
 mod touches;
 mod towers;
 mod travel;

@@ -25,10 +25,13 @@ fn stepping(name: &str) -> Value {
 }
 
 /// Scenes with the reported reason; `None` if they run in lanes.
-fn scenes() -> [(Option<&'static str>, Value); 12] {
+fn scenes() -> [(Option<&'static str>, Value); 15] {
     let (exact, central) = (json!({"exact": {}}), stepping("central_difference"));
     let towers = towers::words(&json!({}))["scene"].take();
     let smooth = "/structures/0/sdof/bouc_wen";
+    let law = "/contacts/0/law";
+    let slopes = json!({"two_slopes": {"impact_stiffness_n_per_m": 1e7, "second_stiffness_n_per_m": 1e8, "second_from_m": 0.005}});
+    let tangent = json!({"rayleigh": {"alpha_per_s": 0.3, "beta_s": 0.001, "stiffness": "tangent"}});
     [
         (None, scene()),
         (None, towers.clone()),
@@ -48,6 +51,12 @@ fn scenes() -> [(Option<&'static str>, Value); 12] {
             with(scene(), "/arrivals_s", json!([0.0, 0.1])),
         ),
         (Some("Bouc–Wen"), with(scene(), smooth, json!({"exponent": 2}))),
+        (Some("two slopes"), with(elastic(exact.clone()), law, slopes.clone())),
+        (None, with(scene(), law, slopes)),
+        (
+            Some("tangent"),
+            with(with(scene(), "/method", stepping("rk4")), "/structures/0/sdof/damping", tangent),
+        ),
         (Some("elastic structures"), with(scene(), "/method", exact)),
     ]
 }

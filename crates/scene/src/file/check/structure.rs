@@ -4,7 +4,7 @@ use pounding_text::Refused;
 use std::fmt::{self, Display};
 
 use super::{FINITE, NOT_NEGATIVE, POSITIVE, named, require};
-use crate::{Building, Capacities, Columns, Damping, Sdof, Structure};
+use crate::{Building, Capacities, Columns, DampedStiffness, Damping, Scene, Sdof, Structure};
 
 /// A structure, or a storey of it, whose fields have names.
 #[derive(Debug, Clone, Copy)]
@@ -97,6 +97,33 @@ fn check_building(building: &Building, place: FieldPlace) -> Result<(), Refused>
     let allowed = "damping that takes energy in every storey and floor; closer ratios, or modes or frequencies further apart, \
                    give some";
     require(found >= 0.0, place.field("damping"), found, allowed)
+}
+
+/// Refuses damping on the tangent stiffness under a method that does not take it, and of columns whose tangent changes smoothly.
+pub(super) fn check_tangent_damping(scene: &Scene) -> Result<(), Refused> {
+    for (index, structure) in scene.structures.iter().enumerate() {
+        let (kind, damping, bends) = match structure {
+            Structure::Sdof(sdof) => ("sdof", sdof.damping, sdof.bouc_wen.is_some()),
+            Structure::Building(building) => {
+                let bends = building.storeys.iter().any(|one| one.columns.bouc_wen.is_some());
+                ("building", building.damping, bends)
+            }
+            Structure::Wall => continue,
+        };
+        let method = scene.method;
+        let found = match damping.stiffness() {
+            DampedStiffness::Initial => continue,
+            DampedStiffness::Tangent if bends => "tangent, beside Bouc–Wen columns, whose tangent never jumps".into(),
+            DampedStiffness::Tangent if !method.takes_tangent_damping() => {
+                format!("tangent, under the method {}, which keeps its damping", method.name())
+            }
+            DampedStiffness::Tangent => continue,
+        };
+        let place = format!("structures[{index}].{kind}.damping.{}.stiffness", damping.name());
+        let allowed = Refused::at(place).found(found).allowed("initial");
+        return Err(allowed.help("exact, newmark and rk4 take tangent, of columns with one yield point"));
+    }
+    Ok(())
 }
 
 const ABOVE_ISOLATORS: &str = "a ratio, or rayleigh with alpha_per_s = 0: the damping of the building above its isolators";
@@ -210,7 +237,7 @@ fn check_damping(damping: &Damping, place: FieldPlace) -> Result<(), Refused> {
     };
     match *damping {
         Damping::Ratio(ratio) => require(ratio >= 0.0, place.field("damping.ratio"), ratio, NOT_NEGATIVE),
-        Damping::Rayleigh { alpha_per_s, beta_s } => {
+        Damping::Rayleigh { alpha_per_s, beta_s, .. } => {
             for (field, found) in [("damping.rayleigh.alpha_per_s", alpha_per_s), ("damping.rayleigh.beta_s", beta_s)] {
                 require(found >= 0.0, place.field(field), found, NOT_NEGATIVE)?;
             }
@@ -219,6 +246,7 @@ fn check_damping(damping: &Damping, place: FieldPlace) -> Result<(), Refused> {
         Damping::TwoFrequencies {
             frequencies_hz: [first, second],
             ratios,
+            ..
         } => {
             let [lower, upper] = [
                 "damping.two_frequencies.frequencies_hz[0]",

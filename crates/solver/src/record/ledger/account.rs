@@ -11,6 +11,8 @@ pub(super) struct Account {
     /// Mass \[kg\]; 0 for a wall, which has no account.
     mass: f64,
     damping: f64,
+    /// Part of the damping that yielding takes.
+    elastic_damping: f64,
     support: Support,
     /// Arrival of the ground motion \[s\].
     arrival: f64,
@@ -100,6 +102,7 @@ impl Account {
         Self {
             mass: if node.is_wall() { 0.0 } else { 1.0 / node.inverse_mass },
             damping: node.damping,
+            elastic_damping: node.elastic_damping,
             support: node.support,
             arrival: row.arrival(index),
             columns,
@@ -244,6 +247,8 @@ impl Account {
     /// give works on a drift, and impulses that cancel.
     fn integrated(&self, span: &Span<'_>, excitation: &Excitation<'_>) -> (Acting, Acting) {
         let to_ground = self.support.ground_damping();
+        let missing = if self.columns.yields(span) { self.elastic_damping } else { 0.0 };
+        let storey = self.damping - missing;
         let from_ground = match self.support {
             Support::Ground => 1.0,
             Support::Floor(_) => 0.0,
@@ -255,7 +260,7 @@ impl Account {
             let to = segment.end.min(span.end_time);
             let [force, damping, ground, left, right, works_of @ ..] = span.integrate_between(from, to, |time, state, drift| {
                 let (v, rate) = (state.velocity, drift.velocity);
-                let (force, damping) = (-state.restoring_force, -self.damping * rate);
+                let (force, damping) = (-state.restoring_force, -storey * rate);
                 let outside = -to_ground * v;
                 let ground = -self.mass * (segment.value + segment.slope * (time - from));
                 let (left, right) = (state.force_from_left, state.force_from_right);

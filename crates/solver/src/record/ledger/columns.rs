@@ -87,18 +87,26 @@ impl LedgerColumns {
                 }
                 last * self.slip(span, drifts)
             }
-            Path::Series(Series {
-                restoring_force: (_, tangent),
-                ..
-            })
-            | Path::Flight(Flight { stiffness: tangent, .. }) => {
-                if tangent < self.stiffness {
+            Path::Series(_) | Path::Flight(_) => {
+                if self.yields(span) {
                     let (moved, [first, _]) = self.ends(span, drifts);
                     first * moved
                 } else {
                     0.0
                 }
             }
+        }
+    }
+
+    /// Whether columns with a sharp knee yield in a span; unknown, and no, for a step.
+    pub(super) fn yields(&self, span: &Span<'_>) -> bool {
+        match span.path {
+            Path::Cubic(_) => false,
+            Path::Series(Series {
+                restoring_force: (_, tangent),
+                ..
+            })
+            | Path::Flight(Flight { stiffness: tangent, .. }) => tangent < self.stiffness,
         }
     }
 

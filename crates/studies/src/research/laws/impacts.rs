@@ -132,7 +132,7 @@ pub(super) fn histories(entries: &[Entry], impacts: &[Option<Impact>]) -> Figure
     })
 }
 
-/// A panel for each law with damping, with its spring alone in the background; linear springs are on the left. The last panel shows both
+/// A panel for each law with damping, with its spring alone in the background; linear springs are on the left. The last panel shows the
 /// springs.
 fn figure(entries: &[Entry], impacts: &[Option<Impact>], x: &str, points: impl Fn(&Entry, &Impact) -> Vec<(f64, f64)>) -> Figure {
     let met = entries.iter().zip(impacts);
@@ -145,7 +145,9 @@ fn figure(entries: &[Entry], impacts: &[Option<Impact>], x: &str, points: impl F
     let peak = peak.map(|point| point.1).fold(0.0, f64::max);
     let panel = |title: &str, curves| Panel::shared(title, Axis::over("Force (MN)", 0.0, 1.05 * peak), curves);
     let of_law = |(law, curve): &(LawName, Curve)| {
-        let same = springs.iter().filter(|(spring, _)| is_linear(*spring) == is_linear(*law));
+        let same = springs
+            .iter()
+            .filter(|(spring, _)| *spring != LawName::TwoSlopes && is_linear(*spring) == is_linear(*law));
         let behind = same.map(|(_, spring)| Curve {
             kind: CurveKind::Dashed,
             shade: Shade::Ink,
@@ -161,6 +163,6 @@ fn figure(entries: &[Entry], impacts: &[Option<Impact>], x: &str, points: impl F
         panels.extend(right.next().map(of_law));
     }
     let both = springs.iter().map(|(law, curve)| curve.clone().named(label(*law)));
-    panels.push(panel("Linear and Hertz spring", both.collect()));
+    panels.push(panel("Springs without damping", both.collect()));
     Figure::grid(8.2, 2, Axis::auto(x), panels).labelled_at_left()
 }
