@@ -112,12 +112,11 @@ pub(super) fn check_tangent_damping(scene: &Scene) -> Result<(), Refused> {
         };
         let method = scene.method;
         let found = match damping.stiffness() {
-            DampedStiffness::Initial => continue,
             DampedStiffness::Tangent if bends => "tangent, beside Bouc–Wen columns, whose tangent never jumps".into(),
             DampedStiffness::Tangent if !method.takes_tangent_damping() => {
                 format!("tangent, under the method {}, which keeps its damping", method.name())
             }
-            DampedStiffness::Tangent => continue,
+            DampedStiffness::Initial | DampedStiffness::Tangent => continue,
         };
         let place = format!("structures[{index}].{kind}.damping.{}.stiffness", damping.name());
         let allowed = Refused::at(place).found(found).allowed("initial");
