@@ -10,7 +10,8 @@ use super::written::rewritten;
 use pounding_scene::file::Stochastic;
 use pounding_scene::file::{BoucWen, Ground, RunBudget, ScaleTo};
 use pounding_scene::{
-    Building, Capacities, ColumnShape, Columns, Contact, Damping, FileUse, FloorHeights, Generated, Method, PDelta, RecordUse,
+    Building, Capacities, ColumnShape, Columns, Contact, DampedStiffness, Damping, FileUse, FloorHeights, Generated, Method, PDelta,
+    RecordUse,
 };
 use pounding_scene::{Scene, Sdof, Source, Storey, Structure};
 
@@ -216,6 +217,7 @@ fn damping(random: &mut Random) -> Damping {
         1 => Damping::Rayleigh {
             alpha_per_s: random.within(0.0, 1.0),
             beta_s: random.within(0.0, 3e-3),
+            stiffness: DampedStiffness::Initial,
         },
         2 => Damping::Ratio(random.within(0.0, 0.2)),
         _ => Damping::Ratio(random.one_of(&[0.02, 0.03, 0.05])),
