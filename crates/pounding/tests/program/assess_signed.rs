@@ -30,11 +30,7 @@ fn issue_a_building_that_exceeds_its_capacity_alone_is_no_case_of_enough() {
     fs::write(work.join("scene.toml"), towers(0.008, 0.04)).expect("it can be written");
     let narrow = flat(&assess(&work, &["--scale", "pga=0.2g"]));
     assert!(narrow.starts_with(first), "{narrow}");
-    for said in [
-        "mm would keep floors apart for ",
-        "Proposed to keep floors apart, for no more",
-        "Keeps apart",
-    ] {
+    for said in ["mm would keep floors apart for ", "Proposed to keep floors apart, for no more"] {
         assert!(narrow.contains(said), "{said}: {narrow}");
     }
     assert!(!narrow.contains("would be enough") && !narrow.contains("Proposed:"), "{narrow}");
@@ -54,7 +50,7 @@ fn issue_a_caution_and_the_answer_judge_one_drift() {
     let said = flat(&assess(&work, &["--scale", "pga=0.4g"]));
     let drift = said.split("Largest drift when they touch: ").nth(1).expect("a drift");
     let (drift, _) = drift.split_once(" of the storey height").expect("a ratio");
-    let caution = format!("Caution: Tower 8, storey 1: drift of {drift}, above its capacity of 3 %, in ");
+    let caution = format!("Caution: Tower 8, storey 1: drift of {drift}, above its capacity of 3.0 %, in ");
     assert!(said.contains(&caution), "{caution}: {said}");
     assert!(said.contains(" of 2 events; "), "{said}");
 }
@@ -73,7 +69,10 @@ fn issue_a_drift_belongs_to_a_storey() {
     let storeys = said.split("Storey Peak at Residual").nth(1).expect("a table of storeys");
     assert!(storeys.contains("Tower 8, storey 1"), "{said}");
     // The force of columns and their ductility stand in the table of storeys alone.
-    let floor = ended.stdout.lines().find(|line| line.starts_with("Tower 8, floor 1  "));
+    let floor = ended
+        .stdout
+        .lines()
+        .find(|line| line.starts_with("Tower 8, floor 1 ") && line.contains(" 1.100 "));
     let floor = floor.expect("a row of a floor");
     assert_eq!(floor.matches('–').count(), 2, "{floor}");
 }
