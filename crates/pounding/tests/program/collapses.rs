@@ -10,7 +10,7 @@ use crate::unusual::{flat, workplace};
 /// A storey that yields early and carries much, whose neighbour has a seat on it.
 const LEANING: &str = r#"
 name = "leaning"
-record.file = "records/good.csv"
+record = { file = "records/good.csv", reversed = true }
 structures = [
   { sdof = { name = "a", mass_kg = 2e5, period_s = 0.9, damping.ratio = 0.02, height_m = 3, yield_displacement_m = 0.01, gravity_load_n = 1e7 } },
   { sdof = { name = "b", mass_kg = 2e5, period_s = 0.5, damping.ratio = 0.02, height_m = 3 } },
@@ -24,7 +24,7 @@ fn issue_a_collapse_is_in_the_first_sentence() {
     let work = workplace("collapses", LEANING, false);
     let both = flat(&pounding(&work, &["run", "scene.toml"]));
     assert!(
-        both.starts_with("Answer: Shaken as given, a collapses under gravity: at t = "),
+        both.starts_with("Answer Shaken ") && both.contains(", a collapses under gravity: at t = "),
         "{both}"
     );
     assert!(
@@ -32,12 +32,12 @@ fn issue_a_collapse_is_in_the_first_sentence() {
         "{both}"
     );
     let one = flat(&pounding(&work, &["run", "scene.toml", "--one-direction"]));
-    assert!(one.starts_with("Collapse: A collapses under gravity: at t = "), "{one}");
+    assert!(one.starts_with("Collapse A collapses under gravity: at t = "), "{one}");
     for said in [
         "a: its storey passes its unstable equilibrium, a drift of ",
         "nothing brought it back",
         "contacts[0] (a – b): unseated at t = ",
-        "Seats: used at most: a – b: ",
+        "Seats used at most: a – b: ",
     ] {
         assert!(one.contains(said), "{said}: {one}");
     }
