@@ -12,5 +12,7 @@ mod judged;
 mod lean;
 mod mirrored;
 mod numbers;
+mod pair_record;
+mod pair_spectrum;
 mod scene_files;
 mod spectrum;
