@@ -20,6 +20,43 @@ struct Arc {
     to: f64,
 }
 
+/// Neighbouring directions in which corners close to each other have the largest projection.
+pub(crate) struct Sector {
+    /// One of the corners.
+    corner: [f64; 2],
+    /// First and last direction.
+    ends: [[f64; 2]; 2],
+}
+
+/// Width of a sector of several corners \[rad\].
+const SECTOR: f64 = 0.01;
+
+/// Largest width of a sector of one corner \[rad\].
+const WIDEST: f64 = 0.2;
+
+/// Largest distance of adjacent corners in a sector, as a part of the largest extent \[–\].
+const LONG: f64 = 0.02;
+
+impl Sector {
+    fn of(corner: [f64; 2], to: f64, from: f64) -> Self {
+        let ends = [to, from].map(|angle| [libm::cos(angle), libm::sin(angle)]);
+        Self { corner, ends }
+    }
+
+    /// Bounds how far a path reaches beyond the outline in this sector; negative if it stays within. The path leaves a chord between two
+    /// points by at most these vectors, for either end.
+    pub(crate) fn beyond(&self, chord: [[f64; 2]; 2], bends: [[f64; 2]; 2]) -> f64 {
+        let along = |[x, y]: [f64; 2], point: [f64; 2]| x * point[0] + y * point[1];
+        let at = |end: &[f64; 2]| {
+            let reach = along(*end, chord[0]).abs().max(along(*end, chord[1]).abs());
+            let bend = along(*end, bends[0]).abs().max(along(*end, bends[1]).abs());
+            // The outline reaches the corner at least, in all directions of the sector.
+            reach + bend - along(*end, self.corner)
+        };
+        at(&self.ends[0]).max(at(&self.ends[1]))
+    }
+}
+
 impl Outline {
     /// Returns the outline of points.
     pub(crate) fn of(points: impl Iterator<Item = [f64; 2]>) -> Self {
@@ -60,18 +97,34 @@ impl Outline {
         projections.fold(0.0, f64::max)
     }
 
-    /// Returns directions as unit vectors, with the extent in each: those in which two corners are equally far, and others at most 0.2 rad
-    /// apart.
-    pub(crate) fn directions(&self) -> Vec<([f64; 2], f64)> {
-        let mut directions = Vec::new();
-        for arc in self.arcs() {
-            let mut angle = arc.from;
-            while angle < arc.to {
-                directions.push(([libm::cos(angle), libm::sin(angle)], arc.radius * libm::cos(angle - arc.angle)));
-                angle += 0.2;
+    /// Returns the corners in few sectors of directions.
+    pub(crate) fn sectors(&self) -> Vec<Sector> {
+        let (mut sectors, mut open) = (Vec::new(), None);
+        let long = LONG * self.corners.iter().map(|[x, y]| libm::hypot(*x, *y)).fold(0.0, f64::max);
+        let last = self.corners.len() - 1;
+        for (index, arc) in self.arcs().enumerate() {
+            let corner = self.corners[index];
+            if arc.to - arc.from > SECTOR {
+                if let Some((to, first)) = open.take() {
+                    sectors.push(Sector::of(first, to, arc.to));
+                }
+                let mut to = arc.to;
+                while to > arc.from {
+                    let from = (to - WIDEST).max(arc.from);
+                    sectors.push(Sector::of(corner, to, from));
+                    to = from;
+                }
+                continue;
+            }
+            let (to, first) = open.take().unwrap_or((arc.to, corner));
+            let is_long = |next: &[f64; 2]| libm::hypot(next[0] - corner[0], next[1] - corner[1]) > long;
+            if index == last || self.corners.get(index + 1).is_some_and(is_long) || to - arc.from > SECTOR {
+                sectors.push(Sector::of(first, to, arc.from));
+            } else {
+                open = Some((to, first));
             }
         }
-        directions
+        sectors
     }
 
     /// Arcs of directions that cover half a turn, from π down to 0.
@@ -184,9 +237,19 @@ mod tests {
         );
         assert!((most / extents[99_999] - 1.0).abs() < 1e-8, "{most} {}", extents[99_999]);
         assert!((median / extents[50_000] - 1.0).abs() < 1e-5, "{median} {}", extents[50_000]);
-        for ([x, y], found) in outline.directions() {
-            let wanted = points.iter().map(|point| (x * point[0] + y * point[1]).abs()).fold(0.0, f64::max);
-            assert!((found - wanted).abs() < 1e-10, "{x} {y}: {found} {wanted}");
+        // No sector says that a point is beyond the outline by more than its other corners are, and no point beyond it is missed.
+        let sectors = outline.sectors();
+        let beyond = |point: [f64; 2]| {
+            sectors
+                .iter()
+                .map(|one| one.beyond([point; 2], [[0.0; 2]; 2]))
+                .fold(f64::NEG_INFINITY, f64::max)
+        };
+        for point in &points {
+            assert!(beyond(*point) < 0.02 * most, "{point:?}: {}", beyond(*point));
+            let angle = libm::atan2(point[1], point[0]);
+            let outside = [1.001 * most * angle.cos(), 1.001 * most * angle.sin()];
+            assert!(beyond(outside) > 0.0, "{outside:?}");
         }
     }
 

@@ -48,9 +48,11 @@ const MOST_STEPS: f64 = 1e6;
 /// Largest angle of the natural vibration in a step \[rad\].
 const STEP: f64 = 0.2;
 
-/// Number of parts into which a step near the outline is cut, twice in turn. A chord of the smallest parts misses a peak by at most
-/// (STEP/PARTS²)²/8 = 2e-9 of it.
-const PARTS: usize = 40;
+/// Largest number of parts into which a step near the outline is cut at once.
+const MOST_PARTS: f64 = 40.0;
+
+/// Largest angle of the natural vibration in the last parts \[rad\]. Their chords miss a peak by at most FINEST²/8 = 2e-9 of it.
+const FINEST: f64 = 1.3e-4;
 
 /// Largest number of steps that are cut. Only records with thousands of equal cycles have more near the outline.
 const MOST_CUT: usize = 20_000;
@@ -188,15 +190,17 @@ impl<'r> Oscillator<'r> {
             .map(|(index, state)| self.step_at(index, *state))
             .collect();
         let mut length = self.step;
-        for _ in 0..2 {
+        while self.frequency * length > FINEST {
             near = self.near(&outline, near, length);
-            length /= PARTS as f64;
+            #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "1 to 40")]
+            let n_parts = (self.frequency * length / FINEST).ceil().min(MOST_PARTS) as usize;
+            length /= n_parts as f64;
             let transition = Transition::of(self, length);
-            let (mut parts, mut points) = (Vec::with_capacity(near.len() * PARTS), outline.into_corners());
+            let (mut parts, mut points) = (Vec::with_capacity(near.len() * n_parts), outline.into_corners());
             for step in &near {
                 let mut state = step.state;
-                for part in 0..PARTS {
-                    let part = step.part(part, state);
+                for part in 0..n_parts {
+                    let part = step.part(part, n_parts, state);
                     state = transition.after(&part);
                     parts.push(part);
                     points.push(state[0]);
@@ -228,10 +232,11 @@ impl<'r> Oscillator<'r> {
 
     /// The steps that may reach beyond the outline of their ends.
     fn near(&self, outline: &Outline, steps: Vec<Step>, length: f64) -> Vec<Step> {
-        let directions = outline.directions();
-        let scale = directions.iter().map(|(_, extent)| *extent).fold(0.0, f64::max);
+        let sectors = outline.sectors();
+        let [along_first, along_second] = outline.along_axes();
+        let scale = along_first.max(along_second);
         let transition = Transition::of(self, length);
-        // The path leaves its chord by at most ü h²/8; a quarter more is for directions between these.
+        // The path leaves its chord by at most ü h²/8; a quarter more is for directions within a sector.
         let bend = 1.25 * length * length / 8.0;
         let beyond = |step: &Step| {
             let after = transition.after(step);
@@ -239,12 +244,9 @@ impl<'r> Oscillator<'r> {
                 self.acceleration(&step.state, step.ground[0]),
                 self.acceleration(&after, step.ground[1]),
             ];
-            let reach = |([x, y], extent): &([f64; 2], f64)| {
-                let along = |point: [f64; 2]| (x * point[0] + y * point[1]).abs();
-                let [ends, bends] = [[step.state[0], after[0]], accelerations].map(|both| along(both[0]).max(along(both[1])));
-                ends + bend * bends - extent
-            };
-            directions.iter().map(reach).fold(f64::NEG_INFINITY, f64::max)
+            let bends = accelerations.map(|both| both.map(|one| bend * one));
+            let reach = sectors.iter().map(|sector| sector.beyond([step.state[0], after[0]], bends));
+            reach.fold(f64::NEG_INFINITY, f64::max)
         };
         let all = steps.into_iter().map(|step| (beyond(&step), step));
         let mut near: Vec<(f64, Step)> = all.filter(|(beyond, _)| *beyond > 1e-11 * scale).collect();
@@ -264,9 +266,9 @@ impl<'r> Oscillator<'r> {
 
 impl Step {
     /// One of its parts, from the state at its start.
-    fn part(&self, index: usize, state: State) -> Self {
+    fn part(&self, index: usize, n_parts: usize, state: State) -> Self {
         let at = |index: usize| {
-            let share = index as f64 / PARTS as f64;
+            let share = index as f64 / n_parts as f64;
             [0, 1].map(|axis| self.ground[0][axis] + (self.ground[1][axis] - self.ground[0][axis]) * share)
         };
         Self {
