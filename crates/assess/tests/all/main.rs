@@ -1,6 +1,8 @@
 //! Tests of rows under many records; the kind of each is in its name.
 
+mod downloads;
 mod effects;
+mod pairs;
 mod separation;
 mod suite;
 mod suite_events;
