@@ -62,7 +62,9 @@ pub use effects::{Effect, Effects, FloorEffects, FloorFact, Known};
 pub use peaks::FloorPeaks;
 pub use rule::{Rule, RuleWords};
 pub use run::{AssessedFloor, AssessedPair, AssessedRun, StiffnessFactors, beyond_belief};
-pub use scaling::{MotionSpectrum, Scaling};
+pub use scaling::{MotionSpectrum, Scaling, SpectrumTarget, TargetFactors};
 pub use separation::Separation;
-pub use suite::{LeftOut, LeftOutKind, LeftOutReason, MotionLine, MotionLines, Suite, SuiteMotion, Watched, nothing_found};
+pub use suite::{
+    FolderUse, HorizontalPair, LeftOut, LeftOutKind, LeftOutReason, MotionLine, MotionLines, Suite, SuiteMotion, Watched, nothing_found,
+};
 pub use target_fit::TargetFit;

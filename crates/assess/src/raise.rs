@@ -2,7 +2,7 @@
 
 use pounding_scene::{Implausible, Scene, parallel};
 
-use crate::scaling::{MotionSpectrum, Scaling};
+use crate::scaling::{MotionSpectrum, Scaling, SpectrumTarget, TargetFactors};
 use crate::suite::Suite;
 use crate::target_fit::TargetFit;
 
@@ -14,12 +14,42 @@ impl Scaling {
     /// somewhere. Scaling each record on average leaves the mean below the target at some periods, and a code does not take such a suite.
     ///
     /// Motions that need a factor above `most` leave the suite. The scaling
-    /// stays as it is if the raise would be more than [`Self::MOST_RAISED`].
+    /// stays as it is if the raise would be more than [`Self::MOST_RAISED`]. The common factor of [`TargetFactors::Common`] is found here, too,
+    /// of all motions before any leaves.
     #[must_use]
     pub fn raised(&self, scene: &Scene, suite: &mut Suite, most: Option<f64>) -> Self {
         if self.target().is_none() && most.is_none() {
             return self.clone();
         }
+        let scaling = self.with_common_factor(scene, suite);
+        scaling.raised_each(scene, suite, most)
+    }
+
+    /// Finds the common factor of all motions: of least squares of the logarithms of all their spectra.
+    fn with_common_factor(&self, scene: &Scene, suite: &Suite) -> Self {
+        let Self::Target(target) = self else {
+            return self.clone();
+        };
+        if target.factors != TargetFactors::Common {
+            return self.clone();
+        }
+        let of_each = Self::Target(SpectrumTarget {
+            factors: TargetFactors::Each,
+            ..target.clone()
+        });
+        let logs = parallel::each(&suite.motions, |motion| {
+            let (scaled, _) = of_each.applied(scene, motion).ok()?;
+            Some(libm::log(scaled.record.scale.abs()))
+        });
+        let logs: Vec<f64> = logs.into_iter().flatten().collect();
+        let factor = libm::exp(logs.iter().sum::<f64>() / logs.len().max(1) as f64);
+        Self::Target(SpectrumTarget {
+            factors: TargetFactors::Known(factor),
+            ..target.clone()
+        })
+    }
+
+    fn raised_each(&self, scene: &Scene, suite: &mut Suite, most: Option<f64>) -> Self {
         // A motion that cannot be scaled fails in its run, which says why.
         let found = parallel::each(&suite.motions, |motion| {
             let (scaled, spectrum) = self.applied(scene, motion).ok()?;

@@ -4,7 +4,7 @@ use std::fmt;
 
 use pounding_motion::Record;
 use pounding_scene::file::ScaleTo;
-use pounding_scene::{Error, RecordUse, STANDARD_GRAVITY, Scene, Structure, periods_between, response_spectrum};
+use pounding_scene::{Error, RecordUse, STANDARD_GRAVITY, Scene, Structure, pair_spectra, periods_between, response_spectrum};
 use pounding_text::{digits, percent, short};
 
 use crate::design::DesignSpectrum;
@@ -20,18 +20,102 @@ pub enum Scaling {
     Unscaled,
     /// Scales records to a peak or a spectral acceleration.
     To(ScaleTo),
-    /// Scales records to a spectrum. With the factor of a record, its spectrum equals the target on average: in logarithms, from 0.2 times
-    /// the shortest to 2 times the longest first period of the row.
-    Target(DesignSpectrum),
+    /// Scales records to a spectrum. With the factor of a record, its spectrum equals the target on average, in logarithms.
+    Target(SpectrumTarget),
     /// Scales records to a spectrum and then raises all of them by one factor, so that their mean spectrum has enough of it.
     Raised {
         /// The spectrum.
-        target: DesignSpectrum,
+        target: SpectrumTarget,
         /// Factor on all records after their own \[–\], > 1.
         by: f64,
         /// Least part of the target that the mean spectrum has before \[–\].
         from: f64,
     },
+}
+
+/// A spectrum to which records are scaled, and how.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SpectrumTarget {
+    /// The spectrum.
+    pub spectrum: DesignSpectrum,
+    /// Shortest and longest period at which records are compared with it \[s\], > 0; by default 0.2 times the shortest and 2 times the longest
+    /// first period of the row.
+    pub periods: Option<[f64; 2]>,
+    /// Which records have a common factor.
+    pub factors: TargetFactors,
+    /// Whether the spectrum of the maximum direction (RotD100) of both horizontal components is compared with it, as ASCE 7-16, 16.2.3.2,
+    /// asks; both components then have one factor. By default each component has its own spectrum.
+    pub maximum_direction: bool,
+}
+
+/// Which records have a common factor.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum TargetFactors {
+    /// Each record has its own.
+    Each,
+    /// All records have one, the geometric mean of their own; [`Scaling::raised`] finds it.
+    Common,
+    /// All records have this one \[–\], > 0.
+    Known(f64),
+}
+
+impl From<DesignSpectrum> for SpectrumTarget {
+    fn from(spectrum: DesignSpectrum) -> Self {
+        Self {
+            spectrum,
+            periods: None,
+            factors: TargetFactors::Each,
+            maximum_direction: false,
+        }
+    }
+}
+
+impl SpectrumTarget {
+    /// Shortest and longest period at which records are compared with it \[s\].
+    fn ends(&self, scene: &Scene) -> [f64; 2] {
+        self.periods.unwrap_or_else(|| ends_of(scene))
+    }
+
+    /// Periods that find the factor of a record \[s\], in rising order.
+    fn periods_of(&self, scene: &Scene) -> Vec<f64> {
+        let [first, last] = self.ends(scene);
+        periods_between(first, last, PERIODS)
+    }
+
+    /// Periods at which the mean of records is compared with the target \[s\], in rising order: close together, and the corners of the
+    /// target, where it may exceed its surroundings.
+    pub(crate) fn checked_periods(&self, scene: &Scene) -> Vec<f64> {
+        let [first, last] = self.ends(scene);
+        #[expect(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "some hundred: periods are between 1e-6 and 1e6 s"
+        )]
+        let count = (libm::log(last / first) / libm::log(CLOSE)).ceil() as u32 + 1;
+        let mut periods = periods_between(first, last, count);
+        let corners = self.spectrum.corners().into_iter();
+        periods.extend(corners.filter(|period| (first..=last).contains(period)));
+        periods.sort_by(f64::total_cmp);
+        periods.dedup();
+        periods
+    }
+}
+
+impl fmt::Display for SpectrumTarget {
+    fn fmt(&self, to: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.spectrum.fmt(to)?;
+        if let Some([first, last]) = self.periods {
+            write!(to, " from {} to {} s", digits(first), digits(last))?;
+        }
+        if self.maximum_direction {
+            to.write_str(" in the maximum direction")?;
+        }
+        match self.factors {
+            TargetFactors::Each => Ok(()),
+            TargetFactors::Common => to.write_str(", all by one factor"),
+            TargetFactors::Known(factor) => write!(to, ", all × {}", short(factor)),
+        }
+    }
 }
 
 /// Number of periods at which a record's spectrum is compared with its target to find its factor.
@@ -103,7 +187,7 @@ impl fmt::Display for Scaling {
 impl Scaling {
     /// The rule for gaps of the code whose spectrum is the target.
     pub fn code(&self) -> Option<Rule> {
-        match self.target()? {
+        match self.target()?.spectrum {
             DesignSpectrum::Eurocode8 { .. } => Some(Rule::Eurocode8),
             DesignSpectrum::Asce7 { .. } => Some(Rule::Asce7),
             DesignSpectrum::Table(_) => None,
@@ -111,7 +195,7 @@ impl Scaling {
     }
 
     /// The spectrum to which records are scaled, if there is one.
-    pub fn target(&self) -> Option<&DesignSpectrum> {
+    pub fn target(&self) -> Option<&SpectrumTarget> {
         match self {
             Self::Target(target) | Self::Raised { target, .. } => Some(target),
             Self::AsScene | Self::Unscaled | Self::To(_) => None,
@@ -162,12 +246,26 @@ impl Scaling {
                 });
             return Ok((scaled, spectrum));
         };
-        let unscaled = accelerations(&ground.record, &periods_of(scene), scene)?;
-        scaled.record.scale = factor(&unscaled, target, scene)? * self.raise();
-        let periods = checked_periods(scene, target);
+        let unscaled = scaled.record.clone();
+        let spectrum = |periods: &[f64]| {
+            if target.maximum_direction {
+                maximum_direction(motion, &unscaled, periods, scene)
+            } else {
+                accelerations(&ground.record, periods, scene)
+            }
+        };
+        let own = match target.factors {
+            TargetFactors::Known(factor) => factor,
+            TargetFactors::Each | TargetFactors::Common => {
+                let unscaled = spectrum(&target.periods_of(scene))?;
+                factor(&unscaled, target, scene)?
+            }
+        };
+        scaled.record.scale = own * self.raise();
+        let periods = target.checked_periods(scene);
         let unscaled = MotionSpectrum {
             peak: ground.record.peak().1.abs(),
-            accelerations: accelerations(&ground.record, &periods, scene)?,
+            accelerations: spectrum(&periods)?,
             periods,
         };
         Ok((scaled.clone(), Some(unscaled.scaled(scaled.record.scale))))
@@ -189,30 +287,6 @@ fn ends_of(scene: &Scene) -> [f64; 2] {
     [BETWEEN[0] * shortest, BETWEEN[1] * longest]
 }
 
-/// Periods that find the factor of a record \[s\], in rising order.
-fn periods_of(scene: &Scene) -> Vec<f64> {
-    let [first, last] = ends_of(scene);
-    periods_between(first, last, PERIODS)
-}
-
-/// Periods at which the mean of records is compared with their target \[s\], in rising order: close together, and the corners of the
-/// target, where it may exceed its surroundings.
-pub(crate) fn checked_periods(scene: &Scene, target: &DesignSpectrum) -> Vec<f64> {
-    let [first, last] = ends_of(scene);
-    #[expect(
-        clippy::cast_possible_truncation,
-        clippy::cast_sign_loss,
-        reason = "some hundred: periods are between 1e-6 and 1e6 s"
-    )]
-    let count = (libm::log(last / first) / libm::log(CLOSE)).ceil() as u32 + 1;
-    let mut periods = periods_between(first, last, count);
-    let corners = target.corners().into_iter();
-    periods.extend(corners.filter(|period| (first..=last).contains(period)));
-    periods.sort_by(f64::total_cmp);
-    periods.dedup();
-    periods
-}
-
 /// Field of the scene that scales a record.
 const PLACE: &str = "record.scale";
 
@@ -222,12 +296,27 @@ fn accelerations(record: &Record, periods: &[f64], scene: &Scene) -> Result<Vec<
     Ok(found.iter().map(|one| one.pseudo_acceleration).collect())
 }
 
+/// The spectrum of the maximum direction of a motion's recording at some periods \[m/s²\].
+fn maximum_direction(motion: &SuiteMotion, record: &RecordUse, periods: &[f64], scene: &Scene) -> Result<Vec<f64>, Error> {
+    let refused = |refused: pounding_motion::Refused| Error::in_scene(&scene.name, refused.in_field(PLACE));
+    let Some([one, other]) = motion.both_components(record, &scene.name)? else {
+        let found = pounding_motion::Refused::default().found("a motion without a second horizontal component");
+        return Err(refused(
+            found.allowed_is("a pair, whose maximum direction is compared with the target"),
+        ));
+    };
+    let found = pair_spectra([&one, &other], periods, &[DAMPING], None, &|| ()).map_err(refused)?;
+    Ok(found[0].values.iter().map(|one| one.rotd100).collect())
+}
+
 /// The factor that brings a spectrum to its target.
-fn factor(found: &[f64], target: &DesignSpectrum, scene: &Scene) -> Result<f64, Error> {
-    let periods = periods_of(scene);
+///
+/// The mean of the logarithms of the ratios is the factor of least squares of these logarithms.
+fn factor(found: &[f64], target: &SpectrumTarget, scene: &Scene) -> Result<f64, Error> {
+    let periods = target.periods_of(scene);
     let gravity = scene.record.gravity_m_per_s2;
     let both = periods.iter().zip(found);
-    let logs = both.map(|(period, found)| libm::log(target.acceleration(*period) * gravity / found));
+    let logs = both.map(|(period, found)| libm::log(target.spectrum.acceleration(*period) * gravity / found));
     let factor = libm::exp(logs.sum::<f64>() / f64::from(PERIODS));
     if factor.is_finite() {
         return Ok(factor);
@@ -261,7 +350,29 @@ mod tests {
         let mut points: Vec<[f64; 2]> = own.iter().map(point).collect();
         points.push([10.0, 1e6]);
         let found = accelerations(&record, &periods, &scene).expect("a spectrum");
-        let found = factor(&found, &DesignSpectrum::Table(points), &scene).expect("a factor");
+        let found = factor(&found, &DesignSpectrum::Table(points).into(), &scene).expect("a factor");
         assert!((found - 2.0).abs() < 1e-9, "{found}");
+    }
+
+    /// The target is three times the record's spectrum from 0.5 to 1 s, and beyond something else.
+    #[test]
+    fn reference_a_range_of_periods_decides_alone() {
+        let scene: Scene = serde_json::from_str(SCENE).expect("a scene");
+        let samples = (0..200).map(|index| libm::sin(0.3 * f64::from(index))).collect();
+        let record = Record::new(0.02, samples, "a sine").expect("a record");
+        let periods = periods_between(0.5, 1.0, PERIODS);
+        let own = accelerations(&record, &periods, &scene).expect("a spectrum");
+        let gravity = scene.record.gravity_m_per_s2;
+        let mut points: Vec<[f64; 2]> = vec![[0.1, 9.0]];
+        points.extend(periods.iter().zip(&own).map(|(period, own)| [*period, 3.0 * own / gravity]));
+        points.push([1.1, 7.0]);
+        let target = SpectrumTarget {
+            periods: Some([0.5, 1.0]),
+            ..DesignSpectrum::Table(points).into()
+        };
+        let found = factor(&own, &target, &scene).expect("a factor");
+        assert!((found - 3.0).abs() < 1e-9, "{found}");
+        assert!(target.checked_periods(&scene).iter().all(|period| (0.5..=1.0).contains(period)));
+        assert!(target.to_string().ends_with("from 0.5 to 1 s"), "{target}");
     }
 }

@@ -5,21 +5,44 @@ mod entries;
 mod events;
 mod left_out;
 mod lines;
+mod pairs;
+mod table;
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 
 use pounding_files::shown_name;
-use pounding_motion::{Channel, Contents, Direction, Identity, NamedFile, Site, contents};
-use pounding_scene::file::record_bytes;
-use pounding_scene::{Error, FileUse, GroundMotion, Origin, RecordUse, Scene, Simulation, SimulationOptions, Source, parallel};
+use pounding_motion::{Channel, Contents, Direction, Identity, NamedFile, Record, Site, contents};
+use pounding_scene::{Error, FileUse, GroundMotion, Origin, PairAngles, RecordUse, Scene, Simulation, SimulationOptions, Source, parallel};
 use pounding_text::{Refused, digits, short};
 
 use copies::Copies;
-use entries::{FolderEntry, entries_of};
+use entries::{FolderEntry, RecordFile, entries_of};
 pub use left_out::{LeftOut, LeftOutKind, LeftOutReason};
 pub use lines::{MotionLine, MotionLines, Watched, nothing_found};
+pub use pairs::HorizontalPair;
+use table::{TableRow, Tables};
+
+/// How the records of a folder are read.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct FolderUse {
+    /// Declarations for files that do not give these values themselves.
+    pub declared: FileUse,
+    /// Whether files of folders within the folder are read, too. Folders within archives are always read.
+    pub sub_folders: bool,
+    /// Whether the scale factors of PEER's `_SearchResults.csv` multiply the records.
+    pub selection_factors: bool,
+}
+
+impl From<&FileUse> for FolderUse {
+    fn from(declared: &FileUse) -> Self {
+        Self {
+            declared: declared.clone(),
+            ..Self::default()
+        }
+    }
+}
 
 /// A ground motion of a folder that was read and can shake rows: a file, or one component of a file with several.
 #[derive(Debug, Clone, PartialEq)]
@@ -37,6 +60,10 @@ pub struct SuiteMotion {
     origin: Arc<Origin>,
     identity: Identity,
     named: NamedFile,
+    /// What the table beside the file tells.
+    told: TableRow,
+    /// Both horizontal components of its recording, and their angles; `None` without a second one.
+    pair: Option<(Arc<Origin>, Arc<Origin>, PairAngles)>,
 }
 
 impl SuiteMotion {
@@ -75,9 +102,35 @@ impl SuiteMotion {
         Ok((record, motion))
     }
 
+    /// Returns both horizontal components of its recording, at right angles, processed as `record` says but not scaled to a target; `None`
+    /// if there is no second one.
+    ///
+    /// # Errors
+    /// Refuses processing that the motion does not allow; the message names `scene`.
+    pub fn both_components(&self, record: &RecordUse, scene: &str) -> Result<Option<[Record; 2]>, Error> {
+        let Some((one, other, angles)) = &self.pair else {
+            return Ok(None);
+        };
+        let record = RecordUse {
+            source: Source::File(self.taken.clone()),
+            scale_to: None,
+            ..record.clone()
+        };
+        let second = one.rotated(other, *angles, angles.degrees[0] + 90.0);
+        let second = Arc::new(second.map_err(|refused| refused.in_file(&self.path))?);
+        let used = |origin: Arc<Origin>| GroundMotion::of_file(&record, origin).map_err(|refused| Error::in_scene(scene, refused));
+        Ok(Some([used(Arc::clone(one))?.record, used(second)?.record]))
+    }
+
     /// Returns the file as it was read.
     pub fn origin(&self) -> &Arc<Origin> {
         &self.origin
+    }
+
+    /// Returns its files: two for a pair of them along an axis.
+    fn files(&self) -> impl Iterator<Item = PathBuf> {
+        let second = self.taken.second_file.as_ref().map(|name| self.path.with_file_name(name));
+        std::iter::once(self.path.clone()).chain(second)
     }
 
     /// Returns the words that choose its component; `None` if the file holds one and none was asked for.
@@ -101,18 +154,23 @@ pub struct Suite {
     pub n_entries: usize,
     /// Pairs of motions that differ only by a factor: both names and the factor.
     pub alike: Vec<(String, String, f64)>,
+    /// Names of pairs along an axis whose angles count from the first component, because no name gives them from north.
+    pub from_first: Vec<String>,
+    /// Sentences about the factors of tables beside the files.
+    pub of_tables: Vec<String>,
 }
 
 impl Suite {
-    /// Reads the records of a folder, or of one file. `declared` holds for files that do not give these values themselves.
+    /// Reads the records of a folder, of an archive, or of one file.
     ///
-    /// Files whose names begin with a dot or end with `.provenance.json` are skipped.
+    /// Files whose names begin with a dot or end with `.provenance.json` are skipped. ZIP, tar and gzip archives are read in memory, and tables
+    /// `records.csv` with a column `file` declare what their files leave out.
     ///
     /// # Errors
     /// Refuses a folder that cannot be read, and a folder without a motion that shakes a row.
-    pub fn in_folder(folder: &Path, declared: &FileUse) -> Result<Self, Error> {
+    pub fn in_folder(folder: &Path, asked: impl Into<FolderUse>) -> Result<Self, Error> {
         std::fs::metadata(folder).map_err(|error| Refused::unreadable(folder, &error))?;
-        let suite = Self::of(&[folder.to_path_buf()], declared)?;
+        let suite = Self::of(&[folder.to_path_buf()], asked)?;
         if suite.motions.is_empty() {
             let found = format!("{} files and no record that shakes a row", suite.n_entries);
             let left_out = suite.said_of_left_out(false).into_iter();
@@ -127,8 +185,8 @@ impl Suite {
     ///
     /// # Errors
     /// Refuses a folder that cannot be read, and a named file that cannot be read as a record.
-    pub fn of(paths: &[PathBuf], declared: &FileUse) -> Result<Self, Error> {
-        let (mut suite, refused) = Self::listed(paths, declared)?;
+    pub fn of(paths: &[PathBuf], asked: impl Into<FolderUse>) -> Result<Self, Error> {
+        let (mut suite, refused) = Self::listed(paths, asked)?;
         for one in &mut suite.left_out {
             one.motion = None;
         }
@@ -137,19 +195,38 @@ impl Suite {
 
     /// Reads the records of some folders and files. A named file that cannot be read is left out, too; the first error of named files is
     /// returned. Everything left out keeps its motion, if it was read. If `declared` names a component, only this component of every file
-    /// is read.
+    /// is read. If it names an axis, each pair of horizontal components becomes one motion along the axis, and other motions are left out.
     ///
     /// # Errors
     /// Refuses a folder that cannot be read.
-    pub fn listed(paths: &[PathBuf], declared: &FileUse) -> Result<(Self, Option<Error>), Error> {
-        let mut left_out = Vec::new();
-        let mut files = Vec::new();
-        for entry in entries_of(paths)? {
+    pub fn listed(paths: &[PathBuf], asked: impl Into<FolderUse>) -> Result<(Self, Option<Error>), Error> {
+        let asked = asked.into();
+        let axis = asked.declared.axis_deg;
+        let declared = FileUse {
+            axis_deg: None,
+            ..asked.declared.clone()
+        };
+        let paths = if asked.sub_folders {
+            let folders = paths.iter().map(|path| Self::folders_in(path)).collect::<Result<Vec<_>, _>>()?;
+            folders.concat()
+        } else {
+            paths.to_vec()
+        };
+        let (mut left_out, mut files) = (Vec::new(), Vec::new());
+        for entry in entries_of(&paths)? {
             match entry {
                 FolderEntry::File(file) => files.push(file),
                 FolderEntry::Other(other) => left_out.push(other),
             }
         }
+        let tables = Tables::among(&files, &asked)?;
+        left_out.extend(tables.paths.iter().map(|path| LeftOut {
+            name: shown_name(path),
+            path: path.clone(),
+            reason: LeftOutKind::Table.saying(""),
+            motion: None,
+        }));
+        files.retain(|file| !tables.paths.contains(&file.path));
         // A name is compared with the other names of its folder; the files of a folder follow each other.
         let folders = files.chunk_by(|one, other| one.path.parent() == other.path.parent());
         let named = folders.flat_map(|files| {
@@ -157,7 +234,7 @@ impl Suite {
             NamedFile::of_all(&names)
         });
         let named: Vec<_> = files.iter().zip(named).collect();
-        let read = parallel::each(&named, |(file, named)| of_file(file, named.clone(), declared));
+        let read = parallel::each(&named, |(file, named)| of_file(file, named, &declared, &tables.of(&file.path)));
         let n_entries = files.len() + left_out.len();
         let (mut all, mut first) = (Vec::new(), None);
         for (file, read) in files.iter().zip(read) {
@@ -178,14 +255,20 @@ impl Suite {
         copies.leave_out(&mut all);
         let (motions, others): (Vec<_>, Vec<_>) = all.into_iter().partition(|one| one.reason.is_none());
         left_out.extend(others.into_iter().filter_map(ReadMotion::left_out));
-        let suite = Self {
+        let mut suite = Self {
             n_events,
             motions: motions.into_iter().map(|one| one.motion).collect(),
             left_out,
-            files: files.into_iter().map(|file| file.path).collect(),
+            files: sources(&files),
             n_entries,
+            of_tables: tables.said,
             alike,
+            from_first: Vec::new(),
         };
+        suite.join_pairs();
+        if let Some(axis) = axis {
+            suite.turn(axis)?;
+        }
         Ok((suite, first))
     }
 }
@@ -205,7 +288,11 @@ impl Suite {
                 }),
             }
         }
-        // Events are numbered without holes, since they are counted by their numbers.
+        self.number_events();
+    }
+
+    /// Numbers events without holes, since they are counted by their numbers.
+    fn number_events(&mut self) {
         let mut events: Vec<usize> = self.motions.iter().map(|motion| motion.event).collect();
         events.sort_unstable();
         events.dedup();
@@ -234,11 +321,11 @@ impl ReadMotion {
     }
 }
 
-/// A file to read.
-struct RecordFile {
-    path: PathBuf,
-    /// Whether the user named the file itself, not only its folder.
-    named: bool,
+/// The files on the disk, each once.
+fn sources(files: &[RecordFile]) -> Vec<PathBuf> {
+    let mut all: Vec<PathBuf> = files.iter().map(|file| file.source().to_path_buf()).collect();
+    all.dedup();
+    all
 }
 
 /// Why a component of a file is not read.
@@ -288,26 +375,38 @@ fn whether_it_shakes(channel: &Channel, named: &NamedFile, several: bool) -> Res
     }
 }
 
-/// Reads the motions of a file: its only one, the declared component, or every component.
-fn of_file(file: &RecordFile, named: NamedFile, declared: &FileUse) -> Vec<Result<ReadMotion, Unread>> {
-    let path = &file.path;
-    let bytes = match record_bytes(path) {
-        Ok(bytes) => bytes,
-        Err(error) => return vec![Err(Unread::Error(Refused::unreadable(path, &error).into()))],
-    };
-    let found = match contents(&bytes) {
+/// Reads the motions of a file: its only one, the declared component, or every component; with a row of a table what the row tells.
+fn of_file(file: &RecordFile, named: &NamedFile, declared: &FileUse, rows: &[TableRow]) -> Vec<Result<ReadMotion, Unread>> {
+    let read = file.with_bytes(|bytes| {
+        rows.iter()
+            .flat_map(|row| of_bytes(&file.path, bytes, named, declared, row))
+            .collect()
+    });
+    read.unwrap_or_else(|refused| vec![Err(Unread::Error(refused.into()))])
+}
+
+fn of_bytes(path: &Path, bytes: &[u8], named: &NamedFile, declared: &FileUse, told: &TableRow) -> Vec<Result<ReadMotion, Unread>> {
+    let mut found = match contents(bytes) {
         Ok(found) => found,
         Err(refused) => {
             let refused = refused.by(declared.naming).in_file(path);
             return vec![Err(Unread::Error(refused.into()))];
         }
     };
+    let mut declared = told.over(declared);
+    match (&told.component, &mut found.channels[..]) {
+        // A word for the direction, if the file has none.
+        (Some(word), [only]) => only.direction = only.direction.or_else(|| Direction::of_component(word)),
+        (Some(word), _) => declared.component = Some(word.clone()),
+        (None, _) => {}
+    }
     let of = OfFile {
         path,
-        bytes: &bytes,
-        named,
+        bytes,
+        named: named.clone(),
         found: &found,
-        declared,
+        declared: &declared,
+        told,
     };
     match &declared.component {
         Some(asked) => vec![of.channel(None, Some(asked.clone()))],
@@ -325,6 +424,7 @@ struct OfFile<'a> {
     named: NamedFile,
     found: &'a Contents,
     declared: &'a FileUse,
+    told: &'a TableRow,
 }
 
 impl OfFile<'_> {
@@ -337,7 +437,7 @@ impl OfFile<'_> {
             component,
             ..self.declared.clone()
         };
-        let read = Origin::of_silent(self.path, self.bytes, &declared);
+        let read = Origin::of_silent(self.path, self.bytes, &declared).and_then(|(origin, taken)| Ok((self.times(origin)?, taken)));
         let of_name = || {
             let (origin, _) = read.as_ref().ok()?;
             let name = origin.file.component();
@@ -375,8 +475,19 @@ impl OfFile<'_> {
             origin: Arc::new(origin),
             identity: self.found.identity.clone(),
             named: self.named.clone(),
+            told: self.told.clone(),
+            pair: None,
         };
         Ok(ReadMotion { motion, reason })
+    }
+
+    /// The component times the factor of the table.
+    fn times(&self, origin: Origin) -> Result<Origin, Error> {
+        let Some(factor) = self.told.factor else {
+            return Ok(origin);
+        };
+        let file = origin.file.times(factor).map_err(|refused| refused.in_file(self.path))?;
+        Ok(Origin { file, ..origin })
     }
 
     /// Returns the word that chooses a component: its name, or its number if another component has the same name.

@@ -2,13 +2,12 @@
 
 use pounding_scene::Scene;
 
-use crate::design::DesignSpectrum;
-use crate::scaling::{BETWEEN, MotionSpectrum, checked_periods};
+use crate::scaling::{BETWEEN, MotionSpectrum, SpectrumTarget};
 
 /// The mean spectrum of some motions beside their target, for 5 % of damping.
 #[derive(Debug, Clone, PartialEq)]
 pub struct TargetFit {
-    /// Periods in rising order, each between 0.2 and 2 times the first period of some structure \[s\].
+    /// Periods in rising order \[s\], each in the range of the target, or between 0.2 and 2 times the first period of some structure.
     pub periods: Vec<f64>,
     /// Target at these periods \[g\].
     pub target: Vec<f64>,
@@ -24,7 +23,7 @@ impl TargetFit {
     pub const LEAST_SHARE: f64 = 0.9;
 
     /// Compares the motions that shake a scene with their target; `None` if there are no motions or no periods.
-    pub fn of(scene: &Scene, target: &DesignSpectrum, spectra: &[&MotionSpectrum]) -> Option<Self> {
+    pub fn of(scene: &Scene, target: &SpectrumTarget, spectra: &[&MotionSpectrum]) -> Option<Self> {
         let n = spectra.len() as f64;
         let gravity = scene.record.gravity_m_per_s2;
         let structures = || {
@@ -36,9 +35,10 @@ impl TargetFit {
         let counts = |period: f64| {
             let [from, to] = BETWEEN;
             // Rounding must not lose the ends of the range.
-            structures().any(|[first, last]| period > from * first * (1.0 - 1e-9) && period < to * last * (1.0 + 1e-9))
+            target.periods.is_some()
+                || structures().any(|[first, last]| period > from * first * (1.0 - 1e-9) && period < to * last * (1.0 + 1e-9))
         };
-        let periods = checked_periods(scene, target).into_iter().enumerate();
+        let periods = target.checked_periods(scene).into_iter().enumerate();
         let counted: Vec<(usize, f64)> = periods.filter(|(_, period)| counts(*period)).collect();
         let mean = |index: usize| {
             let values = spectra.iter().map(|one| one.accelerations[index]);
@@ -47,9 +47,9 @@ impl TargetFit {
         let peak = spectra.iter().map(|one| one.peak).sum::<f64>() / n / gravity;
         (!spectra.is_empty() && !counted.is_empty()).then(|| Self {
             periods: counted.iter().map(|(_, period)| *period).collect(),
-            target: counted.iter().map(|(_, period)| target.acceleration(*period)).collect(),
+            target: counted.iter().map(|(_, period)| target.spectrum.acceleration(*period)).collect(),
             mean: counted.iter().map(|(index, _)| mean(*index)).collect(),
-            peak_share: peak / target.acceleration(0.0),
+            peak_share: peak / target.spectrum.acceleration(0.0),
         })
     }
 
@@ -66,6 +66,7 @@ impl TargetFit {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::design::DesignSpectrum;
 
     /// Structures of 4 s, from 0.8 to 8 s, and of 0.1 s, from 0.02 to 0.2 s.
     const SCENE: &str = r#"{
@@ -78,11 +79,11 @@ mod tests {
         ]
     }"#;
 
-    fn flat(peak: f64, value: f64, scene: &Scene, target: &DesignSpectrum) -> MotionSpectrum {
+    fn flat(peak: f64, value: f64, scene: &Scene, target: &SpectrumTarget) -> MotionSpectrum {
         MotionSpectrum {
             peak,
-            periods: checked_periods(scene, target),
-            accelerations: vec![value; checked_periods(scene, target).len()],
+            periods: target.checked_periods(scene),
+            accelerations: vec![value; target.checked_periods(scene).len()],
         }
     }
 
@@ -90,7 +91,7 @@ mod tests {
     #[test]
     fn reference_the_mean_spectrum_is_held_against_the_target() {
         let scene: Scene = serde_json::from_str(SCENE).expect("a scene");
-        let target = DesignSpectrum::Table(vec![[0.0, 0.2], [0.02, 0.4], [10.0, 0.4]]);
+        let target = SpectrumTarget::from(DesignSpectrum::Table(vec![[0.0, 0.2], [0.02, 0.4], [10.0, 0.4]]));
         let motions = [flat(1.0, 2.0, &scene, &target), flat(3.0, 4.0, &scene, &target)];
         let all: Vec<&MotionSpectrum> = motions.iter().collect();
         let fit = TargetFit::of(&scene, &target, &all).expect("two motions");
@@ -106,7 +107,7 @@ mod tests {
     fn issue_the_least_share_is_that_of_all_periods() {
         let scene: Scene = serde_json::from_str(SCENE).expect("a scene");
         let narrow = [[0.0, 0.1], [3.0, 0.1], [3.01, 0.2], [3.02, 0.1], [10.0, 0.1]];
-        let target = DesignSpectrum::Table(narrow.to_vec());
+        let target = SpectrumTarget::from(DesignSpectrum::Table(narrow.to_vec()));
         let motion = flat(1.0, 1.0, &scene, &target);
         let fit = TargetFit::of(&scene, &target, &[&motion]).expect("a motion");
         let (share, period) = fit.least();
@@ -120,7 +121,7 @@ mod tests {
     #[test]
     fn limit_periods_of_no_structure_do_not_count() {
         let scene: Scene = serde_json::from_str(SCENE).expect("a scene");
-        let target = DesignSpectrum::Table(vec![[0.0, 0.1]]);
+        let target = SpectrumTarget::from(DesignSpectrum::Table(vec![[0.0, 0.1]]));
         let motion = flat(1.0, 1.0, &scene, &target);
         let fit = TargetFit::of(&scene, &target, &[&motion]).expect("a motion");
         let between = |period: &&f64| (0.201..0.799).contains(*period);

@@ -3,6 +3,7 @@
 //! - [`write`](fn@write) and [`NewFile`]: a file is either complete or absent, even after a power failure.
 //! - [`ResultFolder`]: a folder of files with this guarantee.
 //! - [`read`](fn@read): a regular file of bounded length. Devices and pipes are refused before they are opened.
+//! - [`unpacked`]: the files of an archive, in memory and within bounds.
 //! - [`Lock`]: a single process writes an output; another process learns which process holds it.
 //! - [`input_at`]: whether an output is also an input, under any of its names.
 //!
@@ -20,12 +21,14 @@
 //!
 //! Not in this crate: the contents of the files.
 
+mod archive;
 mod folder;
 mod lock;
 mod new_file;
 mod read;
 mod same;
 
+pub use archive::{ArchiveBounds, Archived, is_archive, unpacked};
 pub use folder::{Others, ResultFolder, ResultNames};
 pub use lock::{Lock, LockError, Users};
 pub use new_file::{Existing, NewFile, sync, sync_folder, tidy, write};

@@ -71,6 +71,26 @@ impl Accelerogram {
         &self.unusual
     }
 
+    /// Returns the motion with every value multiplied by `factor`, which is among its readings.
+    ///
+    /// # Errors
+    /// Refuses a factor that is not finite, and one that makes a value infinite.
+    pub fn times(mut self, factor: f64) -> Result<Self, Refused> {
+        for value in &mut self.values {
+            *value *= factor;
+        }
+        if !factor.is_finite() || self.values.iter().any(|value| !value.is_finite()) {
+            let found = Refused::default().found(format!("a factor of {}", plain(factor)));
+            return Err(found.allowed_is("one that leaves values finite"));
+        }
+        self.readings.push(Reading {
+            what: "factor",
+            line: None,
+            found: plain(factor),
+        });
+        Ok(self)
+    }
+
     /// Turns the values into m/s², with one g worth `gravity` \[m/s²\].
     ///
     /// The value of g belongs to the use of a record, not to its file: studies to be compared must use one value. Units without g do not

@@ -64,20 +64,8 @@ impl Direction {
     /// A word for up or down counts at any position; other words are searched from the last. Text in brackets and the number of a channel
     /// are ignored.
     pub fn of_component(name: &str) -> Option<Self> {
-        let name = name.to_ascii_uppercase();
-        let name = name.split('(').next().unwrap_or_default();
-        let separates = |letter: char| !(letter.is_alphanumeric() || letter == '-');
-        let words: Vec<&str> = name
-            .split(separates)
-            .filter(|word| !word.is_empty() && !word.starts_with("DEG"))
-            .collect();
-        let is_channel = |index: &usize| {
-            let before = index.checked_sub(1).map(|before| words[before]);
-            let is_number = words[*index].bytes().all(|byte| byte.is_ascii_digit());
-            is_number && before.is_some_and(|word| CHANNEL.contains(&word))
-        };
-        let telling = (0..words.len()).filter(|index| !is_channel(index));
-        let told = telling.filter_map(|index| Self::of_word(words[index]));
+        let words = telling_words(name);
+        let told = words.iter().filter_map(|word| Self::of_word(word));
         told.reduce(|before, last| match before {
             Self::Vertical => before,
             Self::Horizontal => last,
@@ -97,6 +85,24 @@ impl Direction {
             None
         }
     }
+}
+
+/// Returns the words of a component's name in capitals, without text in brackets and without numbers of channels.
+pub(crate) fn telling_words(name: &str) -> Vec<String> {
+    let name = name.to_ascii_uppercase();
+    let name = name.split('(').next().unwrap_or_default();
+    let separates = |letter: char| !(letter.is_alphanumeric() || letter == '-');
+    let words: Vec<&str> = name
+        .split(separates)
+        .filter(|word| !word.is_empty() && !word.starts_with("DEG"))
+        .collect();
+    let is_channel = |index: &usize| {
+        let before = index.checked_sub(1).map(|before| words[before]);
+        let is_number = words[*index].bytes().all(|byte| byte.is_ascii_digit());
+        is_number && before.is_some_and(|word| CHANNEL.contains(&word))
+    };
+    let telling = (0..words.len()).filter(|index| !is_channel(index));
+    telling.map(|index| words[index].to_owned()).collect()
 }
 
 /// Whether a channel code such as BHE, in any case, belongs to a seismometer, which measures velocity.

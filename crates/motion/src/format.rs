@@ -26,6 +26,7 @@ mod knet;
 mod miniseed;
 mod numbers;
 mod plain;
+mod quotes;
 mod renadic;
 mod sac;
 mod said;
@@ -40,6 +41,8 @@ mod unam;
 mod usc;
 mod usgs_text;
 mod values;
+
+use std::borrow::Cow;
 
 use crate::line::{Line, excerpt, lines, number};
 use crate::refusals;
@@ -129,7 +132,7 @@ pub fn read_declared(bytes: &[u8], declared: &Declared) -> Result<Accelerogram, 
 }
 
 fn read_as_declared(bytes: &[u8], declared: &Declared) -> Result<Accelerogram, Refused> {
-    let (text, commas) = commas::with_points(bytes);
+    let (text, commas) = with_bare_numbers(bytes);
     let file = File {
         in_rows: declared.in_rows,
         ..File::new(&text)?
@@ -149,11 +152,22 @@ fn read_as_declared(bytes: &[u8], declared: &Declared) -> Result<Accelerogram, R
     settled.map_err(|refused| located(refused, &file))
 }
 
+/// The text without quotes around numbers and with decimal points, and the number of its first row with decimal commas.
+fn with_bare_numbers(bytes: &[u8]) -> (Cow<'_, [u8]>, Option<usize>) {
+    match quotes::without(bytes) {
+        Cow::Borrowed(bytes) => commas::with_points(bytes),
+        Cow::Owned(text) => {
+            let (text, line) = commas::with_points(&text);
+            (Cow::Owned(text.into_owned()), line)
+        }
+    }
+}
+
 /// Returns the format of a file, by its content; `None` if it is unknown.
 ///
 /// A file of a known format may still be refused when it is read.
 pub fn recognised(bytes: &[u8]) -> Option<Format> {
-    let (text, _) = commas::with_points(bytes);
+    let (text, _) = with_bare_numbers(bytes);
     let file = File::new(&text).ok()?;
     reader(&file).ok().map(|reader| reader.format)
 }
@@ -163,7 +177,7 @@ pub fn recognised(bytes: &[u8]) -> Option<Format> {
 /// # Errors
 /// Refuses a file of unknown format, and one whose components are not found; see [`Refused`].
 pub fn components(bytes: &[u8]) -> Result<Vec<String>, Refused> {
-    let (text, _) = commas::with_points(bytes);
+    let (text, _) = with_bare_numbers(bytes);
     let file = File::new(&text)?;
     let components = (reader(&file)?.components)(&file)?;
     Ok(names(components))
@@ -175,7 +189,7 @@ pub fn components(bytes: &[u8]) -> Result<Vec<String>, Refused> {
 /// # Errors
 /// Refuses a file of unknown format, and one whose components are not found; see [`Refused`].
 pub fn contents(bytes: &[u8]) -> Result<Contents, Refused> {
-    let (text, _) = commas::with_points(bytes);
+    let (text, _) = with_bare_numbers(bytes);
     let file = File::new(&text)?;
     let reader = reader(&file)?;
     let channel = |component: Component| Channel {

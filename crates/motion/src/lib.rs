@@ -28,11 +28,13 @@
 //! - [`Record`]: a motion in m/s²; its methods scale, resample, filter, integrate and measure it.
 //! - [`read`], [`Format`] and [`Declared`]: formats of files, and information from the caller.
 //! - [`contents`] and [`NamedFile`]: components of a file, places of sensors, and files that belong to a common record.
+//! - [`Bearing`] and [`Accelerogram::rotated`]: two horizontal components, and the motion along an axis.
 //! - A format is a file in `src/format`; `src/format.rs` lists all.
 
 mod accelerogram;
 mod band_pass;
 mod baseline;
+mod bearing;
 mod butterworth;
 mod contents;
 mod declared;
@@ -61,6 +63,7 @@ mod unusual;
 pub use accelerogram::Accelerogram;
 pub use band_pass::{BandPass, Passes};
 pub use baseline::Drift;
+pub use bearing::Bearing;
 pub use contents::{Channel, Contents, Identity};
 pub use declared::Declared;
 pub use detrend::Trend;

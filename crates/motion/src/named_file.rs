@@ -7,14 +7,14 @@ use std::ffi::OsStr;
 mod pieces;
 mod place;
 mod quantity;
-mod way;
+pub(crate) mod way;
 
 use place::DirectionWord;
-use way::Way;
+pub(crate) use way::Way;
 
 pub use quantity::Quantity;
 
-use crate::Direction;
+use crate::{Bearing, Direction};
 
 /// A `NamedFile` holds the facts that the name of a file tells.
 ///
@@ -87,6 +87,14 @@ impl NamedFile {
         }
         let are_apart = (self.way.zip(other.way)).is_some_and(|(one, other)| one.pairs(other));
         are_apart && self.stem == other.stem && self.rsn == other.rsn && self.word != other.word
+    }
+
+    /// Returns the bearing of the component; `None` if the name does not show it.
+    pub fn bearing(&self) -> Option<Bearing> {
+        match self.way? {
+            Way::Level(kind, degrees) => Some(Bearing { kind, degrees }),
+            Way::Upright(_) | Way::Channel => None,
+        }
     }
 }
 

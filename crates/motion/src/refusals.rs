@@ -40,9 +40,21 @@ pub(crate) fn truncated(place: FilePlace, allowed: &'static str) -> Refused {
 
 /// A file does not contain a history of accelerations.
 pub(crate) fn not_acceleration(place: FilePlace, found: String, instead: &str) -> Refused {
-    let read = Refused::at(place).reads(found).kind(RefusalKind::OtherQuantity);
+    let kind = kind_of_quantity(&found);
+    let read = Refused::at(place).reads(found).kind(kind);
     read.but(", but ", "only histories of acceleration are read")
         .help(format!("take {instead}"))
+}
+
+/// The kind of a refusal of another quantity, by its words.
+pub(crate) fn kind_of_quantity(found: &str) -> RefusalKind {
+    let words = found.to_ascii_uppercase();
+    let is = |start: &str| words.contains(start);
+    match (is("ACCEL"), is("VELOC"), is("DISPL")) {
+        (false, true, false) => RefusalKind::Velocity,
+        (false, false, true) => RefusalKind::Displacement,
+        _ => RefusalKind::OtherQuantity,
+    }
 }
 
 /// A file names a unit that is not a known unit of acceleration.

@@ -87,7 +87,7 @@ fn watched<'a>(watch: &Watch, step: &'a (dyn Fn(usize) + Sync)) -> Watched<'a> {
 /// The scaling of the records.
 fn scaling(scale: &str, target: Option<&str>) -> Result<Scaling, Refused> {
     match (target, scale) {
-        (Some(target), _) => Ok(Scaling::Target(DesignSpectrum::named(target)?)),
+        (Some(target), _) => Ok(Scaling::Target(DesignSpectrum::named(target)?.into())),
         (None, "scene") => Ok(Scaling::AsScene),
         (None, "none") => Ok(Scaling::Unscaled),
         (None, table) => {

@@ -84,7 +84,7 @@ use sampling::Sampling;
 pub use shown::{InWords, tables};
 pub use site::{Site, SitedNumber};
 pub use sketch::Sketch;
-pub use spectra::{SpectraLabels, spectra_figure, spectra_table, spectral_columns};
+pub use spectra::{SpectraLabels, pair_spectra_table, pair_spectral_columns, spectra_figure, spectra_table, spectral_columns};
 pub use summary::{
     CollapseSummary, CollisionSummary, ErrorSummary, LedgerSummary, LinkSummary, MethodSummary, Numbers, PairErrorSummary, PairSummary,
     ReadingSummary, RecordSummary, SCHEMA_VERSION, StructureSummary, Summary, WorkSummary,

@@ -1,7 +1,7 @@
 //! Response spectra as a table and as a picture.
 
 use pounding_plot::{Axis, Curve, CurveKind, Figure, Legend, Panel, PlotError, Shade, render_both, writable};
-use pounding_scene::{SpectralValues, Spectrum};
+use pounding_scene::{PairSpectrum, PairValues, SpectralValues, Spectrum};
 use pounding_text::{Cell, Table, Unit, digits};
 
 /// How spectra are shown.
@@ -57,6 +57,34 @@ pub fn spectral_columns<'a, Of: 'a>(table: Table<'a, Of>, values: fn(&Of) -> &Sp
         .number("sa_m_per_s2", "Sa", &Unit::ACCELERATION, move |row| {
             values(row).absolute_acceleration
         })
+}
+
+/// A row for each pair of horizontal components, damping ratio and period; `pairs` has the name of each pair and its spectra.
+pub fn pair_spectra_table<'p>(pairs: &'p [(String, Vec<PairSpectrum>)]) -> Table<'p, (&'p str, f64, &'p PairValues)> {
+    let rows = pairs.iter().flat_map(|(name, spectra)| {
+        let of_ratio = move |one: &'p PairSpectrum| one.values.iter().map(move |values| (name.as_str(), one.damping_ratio, values));
+        spectra.iter().flat_map(of_ratio)
+    });
+    let table = Table::of(rows)
+        .column("pair", |(name, ..)| (*name).to_owned())
+        .column("damping_ratio", |(_, damping, _)| Cell::exact(*damping));
+    pair_spectral_columns(table, |(.., values)| values)
+}
+
+/// Returns the table with the pseudo-accelerations of a structure of one period under two horizontal components.
+pub fn pair_spectral_columns<'a, Of: 'a>(table: Table<'a, Of>, values: fn(&Of) -> &PairValues) -> Table<'a, Of> {
+    let table = table.number("period_s", "Period", &Unit::PERIOD, move |row| values(row).period);
+    let columns: [(&str, &str, fn(&PairValues) -> f64); 6] = [
+        ("first_sa_m_per_s2", "first", |one| one.of_components[0]),
+        ("second_sa_m_per_s2", "second", |one| one.of_components[1]),
+        ("geometric_mean_sa_m_per_s2", "geo. mean", |one| one.geometric_mean),
+        ("rotd00_sa_m_per_s2", "RotD00", |one| one.rotd00),
+        ("rotd50_sa_m_per_s2", "RotD50", |one| one.rotd50),
+        ("rotd100_sa_m_per_s2", "RotD100", |one| one.rotd100),
+    ];
+    columns.into_iter().fold(table, |table, (name, heading, value)| {
+        table.number(name, heading, &Unit::ACCELERATION, move |row| value(values(row)))
+    })
 }
 
 fn figure(spectra: &[Spectrum], shown: SpectraLabels<'_>) -> Figure {

@@ -45,6 +45,8 @@ impl GroundMotion {
         let in_scene = |refused| Error::in_scene(scene, refused);
         match &record.source {
             Source::File(file) => {
+                // Before reading, which needs the axis of a pair.
+                check::check_record(record).map_err(in_scene)?;
                 let origin = Origin::read(&base.join(&file.file), file)?;
                 Self::of_file(record, Arc::new(origin)).map_err(in_scene)
             }
@@ -190,6 +192,9 @@ impl Origin {
     /// Refuses bytes that cannot be read as a record. Also refuses values that are not accelerations by the name of the file, if nothing
     /// else shows their quantity.
     pub fn of(path: &Path, bytes: &[u8], declared: &FileUse) -> Result<Self, Error> {
+        if let Some(axis) = declared.axis_deg {
+            return crate::pair::along(axis, path, bytes, declared);
+        }
         let file = read_declared(bytes, &declared.declared());
         let file = file.map_err(|refused| refused.by(declared.naming).in_file(path))?;
         let is_said = file.states_acceleration() || declared.acceleration;

@@ -65,12 +65,7 @@ pub fn response_spectra(
     stop: Option<&'static AtomicBool>,
     done: &(dyn Fn() + Sync),
 ) -> Result<Vec<Spectrum>, Refused> {
-    let (n, ratios) = (periods.len(), damping_ratios.len());
-    if n.saturating_mul(ratios) > MOST_VALUES {
-        let found = Refused::at("spectra").found(format!("{n} periods times {ratios} damping ratios"));
-        let found = found.allowed_are(format!("up to {MOST_VALUES} values"));
-        return Err(found.help("ask for fewer periods or ratios"));
-    }
+    check_number(periods, damping_ratios)?;
     let of_ratio = |&damping_ratio: &f64| {
         Ok(Spectrum {
             damping_ratio,
@@ -78,6 +73,30 @@ pub fn response_spectra(
         })
     };
     damping_ratios.iter().map(of_ratio).collect()
+}
+
+/// Refuses too many values.
+fn check_number(periods: &[f64], damping_ratios: &[f64]) -> Result<(), Refused> {
+    let (n, ratios) = (periods.len(), damping_ratios.len());
+    if n.saturating_mul(ratios) > MOST_VALUES {
+        let found = Refused::at("spectra").found(format!("{n} periods times {ratios} damping ratios"));
+        let found = found.allowed_are(format!("up to {MOST_VALUES} values"));
+        return Err(found.help("ask for fewer periods or ratios"));
+    }
+    Ok(())
+}
+
+/// Refuses periods and damping ratios out of range, and too many of them.
+pub(crate) fn check_values(periods: &[f64], damping_ratios: &[f64]) -> Result<(), Refused> {
+    check_number(periods, damping_ratios)?;
+    for &damping_ratio in damping_ratios {
+        check("damping_ratio", damping_ratio, (0.0..=1.0).contains(&damping_ratio), "0 to 1")?;
+    }
+    for (index, &period) in periods.iter().enumerate() {
+        let valid = period == 0.0 || (1e-6..=1e6).contains(&period);
+        check(&format!("periods[{index}]"), period, valid, "0 s, or 1e-6 s to 1e6 s")?;
+    }
+    Ok(())
 }
 
 /// Response spectrum for one damping ratio.
@@ -91,11 +110,7 @@ fn spectrum(
     let budget = Budget { stop, ..Budget::default() };
     let excitation = Excitation::new(record.time_step(), record.samples());
     let excitation = excitation.map_err(|error| Refused::at("record").is(error.to_string()))?;
-    check("damping_ratio", damping_ratio, (0.0..=1.0).contains(&damping_ratio), "0 to 1")?;
-    for (index, &period) in periods.iter().enumerate() {
-        let valid = period == 0.0 || (1e-6..=1e6).contains(&period);
-        check(&format!("periods[{index}]"), period, valid, "0 s, or 1e-6 s to 1e6 s")?;
-    }
+    check_values(periods, &[damping_ratio])?;
     let values = |&period: &f64| {
         let found = if period == 0.0 {
             Ok(of_the_ground(record))

@@ -114,10 +114,12 @@ impl Plan {
 const MOST_LISTED: u64 = 16;
 
 /// Fields that must not vary, and their alternatives.
-const FIXED: [(&str, &str); 4] = [
+const FIXED: [(&str, &str); 6] = [
     ("name", "it changes no number"),
     ("record.file", "name records in `records`"),
     ("record.component", "name records in `records`"),
+    ("record.second_file", "name records in `records`"),
+    ("record.axis_deg", "run a sweep for each axis"),
     ("record.reversed", "say `directions`"),
 ];
 

@@ -52,13 +52,14 @@ const fn entry(field: &'static str, option: &'static str, argument: &'static str
     }
 }
 
-const KNOBS: [Entry; 20] = [
+const KNOBS: [Entry; 21] = [
     entry("record.unit", "--unit", "unit", ""),
     entry("record.time_step_s", "--time-step", "time_step", ""),
     entry("record.component", "--component", "component", ""),
     entry("record.per_count", "--per-count", "per_count", ""),
     entry("record.acceleration", "--acceleration", "acceleration", " as true"),
     entry("record.in_rows", "--in-rows", "in_rows", " as true"),
+    entry("record.axis_deg", "--axis", "axis", ""),
     entry("record.gravity_m_per_s2", "--gravity", "", ""),
     entry("record.detrend", "--detrend", "", ""),
     entry("record.band_pass", "--band-pass", "", ""),

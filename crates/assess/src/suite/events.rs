@@ -16,6 +16,7 @@ const SAME_TIME: u64 = 10;
 ///
 /// The motions of one file belong to one event, and so do copies. Two other motions belong to one event:
 ///
+/// - if the table beside the files gives them the same event, and not if it gives them different ones;
 /// - if they have the same record number of PEER;
 /// - if they have the same station and the same time, or the same station and event if their times cannot be compared;
 /// - if they have the same title, no two motions with this title have the same direction, and their event texts do not differ;
@@ -77,6 +78,9 @@ fn titles_of_several(all: &[ReadMotion], copies: &Copies) -> BTreeSet<String> {
 fn are_of_one_record(one: &SuiteMotion, other: &SuiteMotion, several: &BTreeSet<String>) -> bool {
     if one.path == other.path {
         return true;
+    }
+    if let (Some(one), Some(other)) = (&one.told.event, &other.told.event) {
+        return one == other;
     }
     let number = |motion: &SuiteMotion| motion.identity.rsn.or(motion.named.rsn);
     if let (Some(one), Some(other)) = (number(one), number(other)) {

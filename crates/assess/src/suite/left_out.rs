@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 use std::fmt::Write as _;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use pounding_scene::Error;
 use pounding_text::{RefusalKind, short, two_digits};
@@ -55,6 +55,8 @@ pub enum LeftOutKind {
     Borehole,
     /// The instrument stands on a structure.
     Structure,
+    /// A horizontal component without the other one, under an axis.
+    Unpaired,
     /// It would need a larger factor than asked for.
     Scaled,
     /// A copy of another motion.
@@ -63,6 +65,8 @@ pub enum LeftOutKind {
     Vertical,
     /// Vertical, by the name of the file.
     VerticalByName,
+    /// A table that describes other files.
+    Table,
     /// A file that no reader recognizes, such as a README.
     NoRecord,
 }
@@ -82,6 +86,11 @@ impl LeftOutKind {
             Self::NoAcceleration => ["spectrum or other quantity", "spectra or other quantities", NO_ACCELERATION],
             Self::Borehole => ["record in a borehole", "records in boreholes", ON_THE_GROUND],
             Self::Structure => ["record on a structure", "records on structures", ON_THE_GROUND],
+            Self::Unpaired => [
+                "horizontal component alone",
+                "horizontal components alone",
+                "an axis needs two of one recording",
+            ],
             Self::Scaled => [
                 "record scaled too far",
                 "records scaled too far",
@@ -94,6 +103,7 @@ impl LeftOutKind {
                 "vertical components",
                 "by the name of the file; rename a horizontal one",
             ],
+            Self::Table => ["table of records", "tables of records", ""],
             Self::NoRecord => ["file that is no record", "files that are no records", ""],
         }
     }
@@ -186,7 +196,7 @@ impl Suite {
     pub fn counts(&self) -> String {
         let used = self.used();
         let of_used = self.left_out.iter();
-        let of_used = of_used.filter(|one| used.contains(&*one.path)).count();
+        let of_used = of_used.filter(|one| used.contains(&one.path)).count();
         let of_used = match of_used {
             0 => String::new(),
             n => format!(", {} of used files left out", number(n, "component")),
@@ -204,9 +214,9 @@ impl Suite {
     }
 
     /// Returns the files that hold a motion that shakes a row.
-    fn used(&self) -> BTreeSet<&Path> {
+    fn used(&self) -> BTreeSet<PathBuf> {
         let motions = self.motions.iter();
-        motions.map(|motion| motion.path.as_path()).collect()
+        motions.flat_map(SuiteMotion::files).collect()
     }
 
     /// Returns the content of [`Self::counts`] and [`Self::remarks`] as JSON, except for what is left out.
@@ -258,9 +268,17 @@ impl Suite {
                 listed(&untold, details)
             )
         });
+        let from_first: Vec<&str> = self.from_first.iter().map(String::as_str).collect();
+        let from_first = (!from_first.is_empty()).then(|| {
+            format!(
+                "no name tells angles from north; the axis counts from the first component: {}",
+                listed(&from_first, details)
+            )
+        });
         let left_out = self.said_of_left_out(details).into_iter();
         let said = left_out.chain(self.said_of_alike(details));
-        said.chain(declared).chain(untold).collect()
+        let of_tables = self.of_tables.iter().cloned();
+        said.chain(declared).chain(untold).chain(from_first).chain(of_tables).collect()
     }
 
     /// Names motions that differ only by a factor, a line for each motion that others are multiples of.

@@ -15,7 +15,7 @@ impl Folder {
         Self(tempfile::tempdir().expect("a disk"))
     }
 
-    fn path(&self) -> &Path {
+    pub(crate) fn path(&self) -> &Path {
         self.0.path()
     }
 
@@ -28,7 +28,7 @@ impl Folder {
         self.declared(&FileUse::default())
     }
 
-    fn declared(&self, declared: &FileUse) -> Suite {
+    pub(crate) fn declared(&self, declared: &FileUse) -> Suite {
         Suite::of(&[self.path().to_path_buf()], declared).expect("a folder")
     }
 }

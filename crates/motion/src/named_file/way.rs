@@ -5,7 +5,7 @@ use crate::direction::is_channel_end;
 
 /// The direction of a component according to a word.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Way {
+pub(crate) enum Way {
     /// Up or down. If it needs another word next to it, that word's kind.
     Upright(Option<char>),
     /// Along the ground: the kind of the word, and its degrees.
@@ -15,7 +15,7 @@ pub(super) enum Way {
 }
 
 /// The kind of compass points and azimuths.
-pub(super) const COMPASS: char = 'N';
+pub(crate) const COMPASS: char = 'N';
 
 /// Words for directions, in capitals.
 const WORDS: [(&str, Way); 14] = {
@@ -46,7 +46,7 @@ const SLACK: u16 = 5;
 
 impl Way {
     /// The way of a word in capitals: `UP`, `HNE`, `N21E`, `NS2`.
-    pub(super) fn of(word: &str) -> Option<Self> {
+    pub(crate) fn of(word: &str) -> Option<Self> {
         let known = |word: &str| {
             let is = |(known, _): &&(&str, Self)| known.split(' ').any(|known| known == word);
             WORDS.iter().find(is).map(|(_, way)| *way)
@@ -61,7 +61,7 @@ impl Way {
     }
 
     /// Whether two words are those of two components of one record.
-    pub(super) fn pairs(self, other: Self) -> bool {
+    pub(crate) fn pairs(self, other: Self) -> bool {
         match (self, other) {
             (Self::Channel, Self::Channel) => true,
             (Self::Level(kind, one), Self::Level(of_other, other)) => kind == of_other && is_right(one, other),

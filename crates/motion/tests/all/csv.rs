@@ -144,3 +144,12 @@ fn issue_comments_with_the_header_of_another_format() {
         assert_eq!(read.values(), [0.25, 0.5]);
     }
 }
+
+/// Sheets write numbers in quotes. Such a file was of no known format.
+#[test]
+fn issue_numbers_in_quotes_are_read() {
+    let text = "\"Time (s)\",\"Acc, NS (g)\"\n\"0.00\",\"0.0\"\n\"0.01\",\"-0.25\"\n\"0.02\",\"0.125\"\n";
+    let file = read(text.as_bytes()).expect("a record");
+    assert_eq!(file.values(), [0.0, -0.25, 0.125]);
+    assert_eq!((file.time_step(), file.unit().name()), (0.01, "g"));
+}

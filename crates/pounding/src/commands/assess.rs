@@ -5,7 +5,7 @@ mod runs;
 
 use std::path::PathBuf;
 
-use pounding::assess::{AssessedRun, Bumper, BumperEffect, DesignSpectrum, Rule, Scaling, Suite};
+use pounding::assess::{AssessedRun, Bumper, BumperEffect, DesignSpectrum, Rule, Scaling, SpectrumTarget, Suite, TargetFactors};
 use pounding::report::{AssessmentReport, FolderOfMotions, ScalingAsked};
 use pounding::scene::file::ScaleTo;
 use pounding::scene::{Error, Floors, Method, Scene, Structure};
@@ -55,6 +55,17 @@ pub(crate) struct Arguments {
     /// in s and accelerations in g.
     #[arg(long, value_name = "SPECTRUM", conflicts_with = "scale")]
     target: Option<String>,
+    /// Periods at which records are compared with --target [s]; by default 0.2 times
+    /// the shortest to 2 times the longest first period of the row.
+    #[arg(long, value_name = "T..T", value_parser = periods, requires = "target")]
+    target_periods: Option<[f64; 2]>,
+    /// Scale all records to --target by one factor, instead of each by its own.
+    #[arg(long, requires = "target")]
+    one_factor: bool,
+    /// Compare the largest spectrum over all directions of both horizontal components
+    /// with --target, as ASCE 7-16 does.
+    #[arg(long, requires = "target")]
+    maximum_direction: bool,
     /// The code whose width is told in a sentence: en-1998-1, asce-7-16, ntc-2018,
     /// tbdy-2018, e-030 or gb-50011; by default that of the target.
     #[arg(long, value_name = "CODE", value_parser = Rule::of_code)]
@@ -130,6 +141,15 @@ fn scaling(text: &str) -> Result<Scaling, String> {
     }))
 }
 
+/// Two periods.
+fn periods(text: &str) -> Result<[f64; 2], String> {
+    let ends = text.split_once("..").map(|(from, to)| (super::positive(from), super::positive(to)));
+    match ends {
+        Some((Ok(from), Ok(to))) if from >= 1e-3 && from < to && to <= 100.0 => Ok([from, to]),
+        _ => Err("allowed are two periods from 0.001 to 100 s, such as 0.2..2".into()),
+    }
+}
+
 /// Two factors around 1.
 fn factors(text: &str) -> Result<[f64; 2], String> {
     let ends = text.split_once("..").map(|(from, to)| (super::positive(from), super::positive(to)));
@@ -149,7 +169,17 @@ impl Arguments {
 
     fn target_words(&self) -> Option<String> {
         match (&self.target, &self.scale) {
-            (Some(target), _) => Some(format!("--target \"{target}\"")),
+            (Some(target), _) => {
+                let periods = self
+                    .target_periods
+                    .map(|[from, to]| format!(" --target-periods {}..{}", digits(from), digits(to)));
+                let one_factor = if self.one_factor { " --one-factor" } else { "" };
+                let direction = if self.maximum_direction { " --maximum-direction" } else { "" };
+                Some(format!(
+                    "--target \"{target}\"{}{one_factor}{direction}",
+                    periods.unwrap_or_default()
+                ))
+            }
             (None, Some(Scaling::To(ScaleTo::PgaG(pga)))) => Some(format!("--scale \"pga={}g\"", digits(*pga))),
             (None, Some(Scaling::To(ScaleTo::Sa { period_s, sa_g, .. }))) => {
                 Some(format!("--scale \"sa({}s)={}g\"", digits(*period_s), digits(*sa_g)))
@@ -161,7 +191,16 @@ impl Arguments {
 
     fn scaling(&self) -> Result<Scaling, Refused> {
         match (&self.target, &self.scale) {
-            (Some(text), _) => Ok(Scaling::Target(DesignSpectrum::named(text)?)),
+            (Some(text), _) => Ok(Scaling::Target(SpectrumTarget {
+                periods: self.target_periods,
+                maximum_direction: self.maximum_direction,
+                factors: if self.one_factor {
+                    TargetFactors::Common
+                } else {
+                    TargetFactors::Each
+                },
+                ..DesignSpectrum::named(text)?.into()
+            })),
             (None, Some(scale)) => Ok(scale.clone()),
             (None, None) => Ok(Scaling::AsScene),
         }

@@ -1,6 +1,7 @@
 //! Options that declare what record files leave out.
 
 use clap::builder::{PossibleValuesParser, TypedValueParser};
+use pounding::assess::FolderUse;
 use pounding::motion::AccelerationUnit;
 use pounding::scene::file::Unit;
 use pounding::scene::{FileUse, Scene};
@@ -31,6 +32,23 @@ pub(super) struct Declared {
     /// Several numbers to a line are consecutive values.
     #[arg(long)]
     in_rows: bool,
+    /// Shake along this axis, from two horizontal components [° from north].
+    #[arg(long, value_name = "DEG", allow_negative_numbers = true, value_parser = axis)]
+    axis: Option<f64>,
+    /// Read folders within a folder, too.
+    #[arg(long)]
+    sub_folders: bool,
+    /// Multiply by the scale factors of PEER's _SearchResults.csv.
+    #[arg(long)]
+    selection_factors: bool,
+}
+
+/// An azimuth.
+fn axis(text: &str) -> Result<f64, String> {
+    match text.parse::<f64>() {
+        Ok(axis) if axis.abs() <= 360.0 => Ok(axis),
+        _ => Err("allowed is an angle from -360 to 360".into()),
+    }
 }
 
 /// The units by the names that scenes give them.
@@ -48,13 +66,23 @@ impl Declared {
             per_count: self.per_count.or(of_scene.per_count),
             acceleration: self.acceleration || of_scene.acceleration,
             in_rows: self.in_rows || of_scene.in_rows,
+            axis_deg: self.axis.or(of_scene.axis_deg),
             naming: Naming::Option,
             ..of_scene
         }
     }
 
-    /// Returns the declarations for the files of a folder that shake a scene: those of the command line, else those of its record.
-    pub(super) fn of_files(&self, scene: &Scene) -> FileUse {
-        self.over(scene.record.declared())
+    /// Returns how a folder is read whose files shake a scene: by the command line, else as the scene declares its record.
+    pub(super) fn of_files(&self, scene: &Scene) -> FolderUse {
+        self.of_folder(self.over(scene.record.declared()))
+    }
+
+    /// Returns how a folder is read with these declarations.
+    pub(super) fn of_folder(&self, declared: FileUse) -> FolderUse {
+        FolderUse {
+            declared,
+            sub_folders: self.sub_folders,
+            selection_factors: self.selection_factors,
+        }
     }
 }

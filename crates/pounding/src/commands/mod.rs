@@ -163,8 +163,11 @@ fn inputs(path: &Path, prepared: &Simulation) -> Vec<PathBuf> {
     record.into_iter().chain([path.to_path_buf()]).collect()
 }
 
-/// The files of a folder of records.
+/// The files of a folder of records, or an archive of them.
 fn inputs_in(folder: &Path) -> Vec<PathBuf> {
+    if !folder.is_dir() {
+        return vec![folder.to_path_buf()];
+    }
     let entries = std::fs::read_dir(folder).into_iter().flatten().flatten();
     entries.map(|entry| entry.path()).collect()
 }

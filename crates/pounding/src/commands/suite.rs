@@ -17,7 +17,7 @@ use crate::progress::Progress;
 /// # Errors
 /// Says that the folder cannot be read, or why nothing in it shakes a row.
 pub(super) fn read(folder: &Path, declared: &Declared, scene: &Scene) -> Result<Suite, Refused> {
-    Ok(Suite::in_folder(folder, &declared.of_files(scene))?)
+    Ok(Suite::in_folder(folder, declared.of_files(scene))?)
 }
 
 /// The lines of a folder that are finished, and how many there are to be.

@@ -28,6 +28,7 @@ mod motions;
 mod names;
 mod number_lists;
 mod pages;
+mod pairs;
 mod plans;
 mod promises;
 mod records;

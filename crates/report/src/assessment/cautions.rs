@@ -238,17 +238,26 @@ impl AssessmentReport {
         let fit = self.fit.as_ref()?;
         if let Some((share, period)) = self.too_weak() {
             let raise = two_decimals((100.0 * TargetFit::LEAST_SHARE / share).ceil() / 100.0);
+            let is_maximum = self.scaling.to.target().is_some_and(|target| target.maximum_direction);
+            let (which, asce) = if is_maximum {
+                ("in the maximum direction", "ASCE/SEI 7-16, 16.2.3.2, compares the same with MCE_R")
+            } else {
+                (
+                    "component by component",
+                    "ASCE/SEI 7-16, 16.2.3.2, compares maximum-direction spectra with MCE_R, which is not done here",
+                )
+            };
             return Some(format!(
-                "the mean spectrum of the scaled records, component by component, has {:.0} % of the target at {} s; EN 1998-1:2004, \
+                "the mean spectrum of the scaled records, {which}, has {:.0} % of the target at {} s; EN 1998-1:2004, \
                  3.2.3.1.2 (4) c, wants {:.0} % between 0.2 and 2 T_1: take records with a spectrum like the target, since records that are \
-                 {raise} times as strong would belong to other earthquakes. ASCE/SEI 7-16, 16.2.3.2, compares maximum-direction spectra \
-                 with MCE_R, which is not done here",
+                 {raise} times as strong would belong to other earthquakes. {asce}",
                 (100.0 * share).floor(),
                 two_digits(period),
                 100.0 * TargetFit::LEAST_SHARE
             ));
         }
-        let is_eurocode = matches!(self.scaling.to.target(), Some(DesignSpectrum::Eurocode8 { .. }));
+        let spectrum = self.scaling.to.target().map(|target| &target.spectrum);
+        let is_eurocode = matches!(spectrum, Some(DesignSpectrum::Eurocode8 { .. }));
         (is_eurocode && fit.peak_share < 1.0).then(|| {
             format!(
                 "the mean peak acceleration of the scaled records is {:.0} % of that of the target; EN 1998-1, 3.2.3.1.2 (4) b, wants all \

@@ -28,7 +28,7 @@ pub(super) fn figure(report: &AssessmentReport) -> Option<(Figure, String)> {
     let mut mean = |place: usize| spectra.iter().map(|one| one.accelerations[place]).sum::<f64>() / n / gravity;
     curves.push(curve(CurveKind::Line, Shade::Blue, &mut mean).named("mean of the records"));
     if let Some(target) = report.scaling.to.target() {
-        let mut of_target = |place: usize| target.acceleration(periods[place]);
+        let mut of_target = |place: usize| target.spectrum.acceleration(periods[place]);
         curves.push(curve(CurveKind::Dashed, Shade::Ink, &mut of_target).named("target"));
     }
     let highest = curves
@@ -56,10 +56,17 @@ pub(super) fn figure(report: &AssessmentReport) -> Option<(Figure, String)> {
         ..Figure::default()
     };
     let dashed = report.scaling.to.target().map_or("", |_| "; dashed: the target");
+    let asked = report.scaling.to.target().and_then(|target| target.periods);
+    let axis = if asked.is_some() {
+        "The axis has the periods at which they are compared"
+    } else {
+        "The axis goes from 0.2 times the shortest to 2 times the longest first period of the row, where EN 1998-1, 3.2.3.1.2, compares them"
+    };
+    let is_maximum = report.scaling.to.target().is_some_and(|target| target.maximum_direction);
+    let which = if is_maximum { "Maximum-direction spectra" } else { "Spectra" };
     let caption = format!(
-        "Spectra for 5 % of damping of the records as they shake the row (grey) and of their mean (blue){dashed}. The axis goes from 0.2 times \
-         the shortest to 2 times the longest first period of the row, where EN 1998-1, 3.2.3.1.2, compares them; ASCE/SEI 7-16, 16.2.3.2, compares \
-         maximum-direction spectra with MCE_R; upright lines mark \
+        "{which} for 5 % of damping of the records as they shake the row (grey) and of their mean (blue){dashed}. {axis}; \
+         ASCE/SEI 7-16, 16.2.3.2, compares maximum-direction spectra with MCE_R; upright lines mark \
          the first periods of the buildings."
     );
     Some((figure, caption))

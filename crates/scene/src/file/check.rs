@@ -10,7 +10,7 @@ use pounding_text::{RefusalKind, Refused, digits, plain};
 use crate::file::budget::Patience;
 use crate::file::{Law, Link, ScaleTo};
 use crate::settings::out_of_range;
-use crate::{Method, RecordUse, Scene, Structure};
+use crate::{FileUse, Method, RecordUse, Scene, Source, Structure};
 
 /// Refuses a value that is not `valid`. The place becomes text only then, because a sweep checks millions of scenes.
 pub(super) fn require(valid: bool, place: impl Display, found: f64, allowed: &'static str) -> Result<(), Refused> {
@@ -268,6 +268,9 @@ fn check_contacts(scene: &Scene) -> Result<(), Refused> {
 pub(crate) fn check_record(record: &RecordUse) -> Result<(), Refused> {
     let gravity = record.gravity_m_per_s2;
     require(gravity > 0.0, "record.gravity_m_per_s2", gravity, POSITIVE)?;
+    if let Source::File(file) = &record.source {
+        check_pair(file)?;
+    }
     if let Some(step) = record.resample_s {
         require(step > 0.0, "record.resample_s", step, POSITIVE)?;
     }
@@ -284,4 +287,25 @@ pub(crate) fn check_record(record: &RecordUse) -> Result<(), Refused> {
         }
     }
     require(true, "record.scale", record.scale, FINITE)
+}
+
+/// Refuses fields of a pair of components that contradict each other.
+fn check_pair(file: &FileUse) -> Result<(), Refused> {
+    let Some(axis) = file.axis_deg else {
+        return match &file.second_file {
+            None => Ok(()),
+            Some(_) => {
+                let found = Refused::at("record.second_file").found("it without `axis_deg`");
+                Err(found.allowed_is("it beside `axis_deg`").help("name the axis of the row"))
+            }
+        };
+    };
+    require((-360.0..=360.0).contains(&axis), "record.axis_deg", axis, "-360 to 360")?;
+    if file.component.is_some() {
+        let found = Refused::at("record.component").found("it beside `axis_deg`");
+        return Err(found
+            .allowed_is("one of them")
+            .help("delete it: an axis takes both horizontal components"));
+    }
+    Ok(())
 }

@@ -48,6 +48,11 @@ impl RecordUse {
 
     /// Lists the processing of the ground motion between its source and the row, in its order; steps that change nothing are left out.
     pub fn processing(&self) -> Vec<String> {
+        let axis = match &self.source {
+            Source::File(file) => file.axis_deg,
+            Source::Generated(_) => None,
+        };
+        let axis = axis.map(|axis| format!("two components along the axis of {}°", digits(axis)));
         let detrend = self.detrend.map(|line| match line {
             Detrend::Constant => "mean taken away".into(),
             Detrend::Linear => "straight line of least squares taken away".into(),
@@ -75,7 +80,7 @@ impl RecordUse {
         let one = 1.0_f64.to_bits();
         let scale = (self.scale.to_bits() != one).then(|| format!("multiplied by {}", self.scale));
         let reversed = self.reversed.then(|| "reversed".into());
-        let all = [detrend, band, resampled, target, gravity, scale, reversed];
+        let all = [axis, detrend, band, resampled, target, gravity, scale, reversed];
         all.into_iter().flatten().collect()
     }
 
@@ -101,6 +106,7 @@ impl RecordUse {
             Source::File(file) => FileUse {
                 file: String::new(),
                 component: None,
+                second_file: None,
                 ..file.clone()
             },
             Source::Generated(_) => FileUse::default(),
@@ -143,6 +149,10 @@ pub struct FileUse {
     pub acceleration: bool,
     /// Whether several numbers to a line without names are consecutive values.
     pub in_rows: bool,
+    /// The file with the other horizontal component, in the folder of `file`; `None` if `file` holds both, or without an axis.
+    pub second_file: Option<String>,
+    /// Axis along which two horizontal components shake the row, clockwise from north \[°\]; `None` takes one component as it is.
+    pub axis_deg: Option<f64>,
     /// Names that messages use for these declarations.
     pub naming: Naming,
 }
@@ -230,6 +240,12 @@ struct RecordUseFile {
     /// Whether several numbers to a line without names are consecutive values.
     #[serde(default, skip_serializing_if = "is_false")]
     in_rows: bool,
+    /// File with the other horizontal component, in the folder of `file`, with `axis_deg`.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    second_file: Option<String>,
+    /// Axis along which two horizontal components shake the row, clockwise from north \[°\].
+    #[serde(skip_serializing_if = "Option::is_none")]
+    axis_deg: Option<f64>,
     /// Acceleration of gravity \[m/s²\]; 9.80665 by default.
     #[serde(default = "standard_gravity")]
     gravity_m_per_s2: f64,
@@ -299,6 +315,8 @@ impl TryFrom<RecordUseFile> for RecordUse {
             }
             (Some(file), None) => Source::File(FileUse {
                 file,
+                second_file: words.second_file,
+                axis_deg: words.axis_deg,
                 unit: words.unit,
                 time_step_s: words.time_step_s,
                 component: words.component.map(String::from),
@@ -315,6 +333,8 @@ impl TryFrom<RecordUseFile> for RecordUse {
                     ("per_count", words.per_count.is_some()),
                     ("acceleration", words.acceleration),
                     ("in_rows", words.in_rows),
+                    ("second_file", words.second_file.is_some()),
+                    ("axis_deg", words.axis_deg.is_some()),
                 ];
                 if let Some((field, _)) = of_file.into_iter().find(|(_, given)| *given) {
                     let found = Refused::default().found(format!("`{field}` beside `generated`"));
@@ -352,6 +372,8 @@ impl From<RecordUse> for RecordUseFile {
             per_count: of_file.per_count,
             acceleration: of_file.acceleration,
             in_rows: of_file.in_rows,
+            second_file: of_file.second_file,
+            axis_deg: of_file.axis_deg,
             gravity_m_per_s2: record.gravity_m_per_s2,
             detrend: record.detrend,
             band_pass: record.band_pass,

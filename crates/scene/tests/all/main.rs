@@ -16,6 +16,8 @@ mod links;
 mod mirrored;
 mod numbers;
 mod openings;
+mod pair_record;
+mod pair_spectrum;
 mod scene_files;
 mod spectrum;
 mod tangent_damping;

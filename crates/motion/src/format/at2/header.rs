@@ -4,9 +4,9 @@ use super::super::identity::text;
 use super::super::title::{self, holds};
 use super::Component;
 use crate::line::{Line, number};
-use crate::refusals;
+use crate::refusals::{self, kind_of_quantity};
 use crate::{Direction, FilePlace, Identity, Refused};
-use pounding_text::{RefusalKind, Spot};
+use pounding_text::Spot;
 
 /// Number of lines in which NPTS and DT are searched. PEER has them on line 4, rotated and matched records on line 7.
 const HEADER_LINES: usize = 10;
@@ -227,7 +227,7 @@ pub(super) fn unit<'t>(titles: &[Line<'t>]) -> Result<Option<Line<'t>>, Refused>
 fn quantity(line: Line<'_>) -> Refused {
     let read = Refused::at(Spot::Line(line.number))
         .reads(line.excerpt())
-        .kind(RefusalKind::OtherQuantity);
+        .kind(kind_of_quantity(&line.excerpt()));
     read.but(", but ", "only acceleration in units of g is read")
         .help("take the .AT2 file of the record")
 }

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::sync::OnceLock;
 
-use pounding::assess::{Alone, AssessedRun, Bumper, BumperRun, DesignSpectrum, MotionSpectrum, Scaling, Suite, SuiteMotion};
+use pounding::assess::{Alone, AssessedRun, Bumper, BumperRun, MotionSpectrum, Scaling, Suite, SuiteMotion};
 use pounding::report::{Animation, AssessedMotion};
 use pounding::scene::file::DrawnNeighbour;
 use pounding::scene::{Error, RecordUse, Scene, Simulation};
@@ -55,7 +55,7 @@ impl Asked<'_> {
             Ok((scene, shared))
         };
         let both = [false, true];
-        let site = self.scaling.target().and_then(DesignSpectrum::ground_acceleration);
+        let site = self.scaling.target().and_then(|target| target.spectrum.ground_acceleration());
         suite::lines_of(self.records, &both, shared, |prepared, shared| {
             let assessed = |(row, alone): (usize, &OnceLock<Option<Alone>>)| {
                 let row = self.row(prepared, row)?;

@@ -4,9 +4,10 @@ mod printed;
 
 use std::path::{Path, PathBuf};
 
-use pounding::assess::{LeftOut, LeftOutReason, Suite, SuiteMotion};
+use pounding::assess::{HorizontalPair, LeftOut, LeftOutReason, Suite, SuiteMotion};
 use pounding::motion::{Direction, Drift, Measures};
 use pounding::report::MeasuredRecord;
+use pounding::scene::{PairValues, pair_spectra};
 use pounding::text::{Form, Naming, Refused};
 use rayon::prelude::*;
 
@@ -77,7 +78,7 @@ impl MeasuredMotion {
 
 /// Reads the files; returns what they hold.
 pub(super) fn run(args: &Arguments) -> Result<String, Failure> {
-    let listed = Suite::listed(&args.files, &args.declared.of_files());
+    let listed = Suite::listed(&args.files, args.declared.of_folder());
     let (suite, _) = listed?;
     if suite.n_entries == 0 {
         let found = Refused::at(args.files[0].as_path()).found("no file");
@@ -85,7 +86,8 @@ pub(super) fn run(args: &Arguments) -> Result<String, Failure> {
     }
     let motions = motions_of(args, &suite);
     all_refused(&motions)?;
-    let printed = printed::answer(&motions, &suite, args.declared.gravity).text(Form::asked(false, args.csv, args.json));
+    let pairs = peaks_of_pairs(args, &suite)?;
+    let printed = printed::answer(&motions, &suite, &pairs, args.declared.gravity).text(Form::asked(false, args.csv, args.json));
     match named_refused(&motions) {
         None => Ok(printed),
         Some(refused) => Err(Failure { printed, refused }),
@@ -100,7 +102,7 @@ fn motions_of(args: &Arguments, suite: &Suite) -> Vec<ListedMotion> {
     let others = suite.left_out.iter();
     let others = others.map(|one| (one.motion.as_deref(), Err(one), &*one.path));
     let mut all: Vec<_> = used.chain(others).collect();
-    let order = |path: &Path| suite.files.iter().position(|file| file == path);
+    let order = |path: &Path| suite.files.iter().position(|file| path.starts_with(file));
     all.sort_by_key(|(.., path)| order(path).unwrap_or(usize::MAX));
     let listed = |(motion, placed, path): &(Option<&SuiteMotion>, Result<_, &LeftOut>, &Path)| {
         let named = args.files.iter().any(|file| file == path);
@@ -110,7 +112,7 @@ fn motions_of(args: &Arguments, suite: &Suite) -> Vec<ListedMotion> {
         let opened = match (motion, placed) {
             (None, Err(one)) if !named || !whole(one) => Err(Refused::at(Path::new(&one.name)).is(one.reason.sentence())),
             // Of a single file everything that is declared must be true.
-            (Some(_), _) if named && args.files.len() == 1 => declared().open(path),
+            (Some(_), _) if named && args.files.len() == 1 && !args.declared.has_axis() => declared().open(path),
             (Some(motion), _) => args.declared.use_motion(motion),
             (None, _) if args.files.len() == 1 => args.declared.open(path),
             (None, _) => args.declared.open_one_of_several(path),
@@ -131,6 +133,16 @@ fn motions_of(args: &Arguments, suite: &Suite) -> Vec<ListedMotion> {
         }
     };
     all.par_iter().map(listed).collect()
+}
+
+/// Name of each pair of horizontal components, and its peak ground accelerations.
+fn peaks_of_pairs(args: &Arguments, suite: &Suite) -> Result<Vec<(String, PairValues)>, Refused> {
+    let peaks = |pair: &HorizontalPair<'_>| {
+        let [one, other] = args.declared.use_pair(pair)?;
+        let found = pair_spectra([&one, &other], &[0.0], &[0.0], None, &|| ())?;
+        Ok((pair.name(), found[0].values[0]))
+    };
+    suite.pairs().iter().map(peaks).collect()
 }
 
 /// Refuses files if none can be read.

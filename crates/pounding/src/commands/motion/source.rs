@@ -4,7 +4,7 @@ use std::path::Path;
 
 use std::sync::Arc;
 
-use pounding::assess::SuiteMotion;
+use pounding::assess::{FolderUse, HorizontalPair, SuiteMotion};
 use pounding::motion::{Accelerogram, Record};
 use pounding::scene::{Error, FileUse, GroundMotion, Origin, RecordUse, STANDARD_GRAVITY, Source};
 use pounding::text::{Naming, Refused};
@@ -56,6 +56,11 @@ impl Declared {
         *self == nothing
     }
 
+    /// Whether two components are to shake along an axis.
+    pub(super) fn has_axis(&self) -> bool {
+        self.of_files().axis_deg.is_some()
+    }
+
     /// The record of a file, unprocessed.
     pub(super) fn use_of(&self, path: &Path) -> RecordUse {
         let file = FileUse {
@@ -86,10 +91,24 @@ impl Declared {
         })
     }
 
+    /// How folders are read.
+    pub(super) fn of_folder(&self) -> FolderUse {
+        self.of_file.of_folder(self.of_files())
+    }
+
     /// A motion that was read, unprocessed.
     pub(super) fn use_motion(&self, motion: &SuiteMotion) -> Result<Opened, Refused> {
         let record = self.use_of(&motion.path);
         used(&record, Arc::clone(motion.origin())).map_err(|error| by_options(&motion.path, error))
+    }
+
+    /// The records of a pair, unprocessed. A second component that is not quite at a right angle is turned to be.
+    pub(super) fn use_pair(&self, pair: &HorizontalPair<'_>) -> Result<[Record; 2], Refused> {
+        let [one, other] = pair.motions;
+        let second = one.origin().rotated(other.origin(), pair.angles, pair.angles.degrees[0] + 90.0);
+        let second = Arc::new(second.map_err(|refused| refused.in_file(&other.path))?);
+        let second = used(&self.use_of(&other.path), second).map_err(|error| by_options(&other.path, error))?;
+        Ok([self.use_motion(one)?.record, second.record])
     }
 
     /// Reads a file among several: a declaration holds only if the file leaves it out.

@@ -1,5 +1,7 @@
 //! `pounding motion spectrum`: response spectra of a record, by the exact method.
 
+mod pairs;
+
 use std::path::{Path, PathBuf};
 
 use pounding::report::{SpectraLabels, spectra_figure, spectra_table, spectral_columns};
@@ -18,6 +20,7 @@ Examples:
   pounding motion spectrum quake.AT2 --periods 0,0.1,0.5,1,2 --damping 2%,5%
   pounding motion spectrum quake.AT2 --figure spectrum.svg
   pounding motion spectrum quake.AT2 --count 200 --csv > spectrum.csv
+  pounding motion spectrum --pairs records
 
 Without --periods and --count the table has the periods of ground-motion models
 between --from and --to. A figure is drawn through 400 periods in equal ratios
@@ -28,9 +31,12 @@ between samples: no time step.";
 #[derive(Debug, clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub(super) struct Arguments {
-    /// The record.
-    #[arg(value_name = "FILE")]
-    file: PathBuf,
+    /// The record; with --pairs one or more files and folders.
+    #[arg(value_name = "FILE", required = true)]
+    files: Vec<PathBuf>,
+    /// Two horizontal components together: RotD50, RotD100, geometric mean.
+    #[arg(long, conflicts_with = "figure")]
+    pairs: bool,
     /// Natural periods [s], 0 for the ground itself.
     #[arg(long, value_name = "T,T,…", value_delimiter = ',', value_parser = period, allow_negative_numbers = true, conflicts_with_all = ["from", "to", "count"])]
     periods: Vec<f64>,
@@ -60,6 +66,13 @@ pub(super) struct Arguments {
     json: bool,
     #[command(flatten)]
     declared: Declared,
+}
+
+impl Arguments {
+    /// The record, without --pairs.
+    fn file(&self) -> &Path {
+        &self.files[0]
+    }
 }
 
 /// A natural period of 0 or more.
@@ -93,9 +106,20 @@ const DRAWN: u32 = 400;
 
 /// The spectra.
 pub(super) fn run(args: &Arguments) -> Result<String, Refused> {
-    let opened = args.declared.open(&args.file)?;
+    if args.pairs {
+        return pairs::run(args);
+    }
+    if let [_, others @ ..] = &args.files[..]
+        && !others.is_empty()
+    {
+        let found = Refused::at("FILE").found(format!("{} files", args.files.len()));
+        return Err(found
+            .allowed_is("one")
+            .help("give --pairs for the two horizontal components of a recording"));
+    }
+    let opened = args.declared.open(args.file())?;
     if let Some(figure) = &args.figure {
-        new_file::check(figure, std::slice::from_ref(&args.file), args.overwrite)?;
+        new_file::check(figure, &args.files, args.overwrite)?;
     }
     let periods = periods(args)?;
     let drawn = args.figure.as_ref().map(|_| between(args, &periods));
@@ -104,7 +128,7 @@ pub(super) fn run(args: &Arguments) -> Result<String, Refused> {
     let progress = Counter::new(0, runs as u64);
     let spectra = |periods: &[f64]| {
         let done = || progress.add(1);
-        response_spectra(&opened.record, periods, &args.damping, None, &done).map_err(|refused| refused.in_file(&args.file))
+        response_spectra(&opened.record, periods, &args.damping, None, &done).map_err(|refused| refused.in_file(args.file()))
     };
     let listed = spectra(&periods)?;
     let curves = drawn.map(|periods| spectra(&periods)).transpose()?;
@@ -158,7 +182,7 @@ fn with(mut curves: Vec<Spectrum>, listed: &[Spectrum]) -> Vec<Spectrum> {
 }
 
 fn draw(args: &Arguments, opened: &Opened, spectra: &[Spectrum], path: &Path) -> Result<(), Refused> {
-    let name = args.file.file_name().unwrap_or_default();
+    let name = args.file().file_name().unwrap_or_default();
     let title = match component(args, opened) {
         Some(component) => format!("{} {component}", name.to_string_lossy()),
         None => name.to_string_lossy().into_owned(),
@@ -190,7 +214,7 @@ fn answer<'a>(args: &Arguments, opened: &Opened, spectra: &'a [Spectrum]) -> Ans
         short(peak / gravity),
         short(time)
     );
-    let file = args.file.display().to_string();
+    let file = args.file().display().to_string();
     let numbers = |spectrum: &'a Spectrum| spectral_columns(Table::of(&spectrum.values).gravity(gravity), |values| values);
     let answer = Answer::new().say(Where::Terminal, "Record", vec![file.clone(), record]);
     let answer = spectra.iter().fold(answer, |answer, spectrum| {

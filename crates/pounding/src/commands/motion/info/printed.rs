@@ -3,25 +3,48 @@
 use pounding::assess::{LeftOutReason, Suite};
 use pounding::motion::{Interval, Reading};
 use pounding::report::MeasuredRecord;
+use pounding::scene::PairValues;
 use pounding::text::{Answer, Cell, Manner, NONE, Table, Where, cut, digits, percent, short};
 use serde_json::{Value, json};
 
 use super::{ListedMotion, MeasuredMotion};
 
 /// Sentences about one motion, a table of several.
-pub(super) fn answer<'a>(motions: &'a [ListedMotion], suite: &Suite, gravity: f64) -> Answer<'a> {
+pub(super) fn answer<'a>(motions: &'a [ListedMotion], suite: &Suite, pairs: &[(String, PairValues)], gravity: f64) -> Answer<'a> {
     let answer = match motions {
         [motion] => match &motion.found {
             Ok(found) => of_one(motion, found, gravity),
             Err(refused) => Answer::new().say(Where::Terminal, "Left out", vec![refused.to_string()]),
         },
-        motions => of_several(motions, suite, gravity),
+        motions => of_several(motions, suite, gravity).say(Where::Terminal, "Pairs", said_of(pairs, gravity)),
     };
     answer
         .fact("gravity_m_per_s2", gravity)
         .fact("records", suite.json())
+        .fact(
+            "pairs",
+            pairs.iter().map(|(name, peaks)| pair_json(name, peaks)).collect::<Vec<_>>(),
+        )
         .fact("motions", motions.iter().map(json_of).collect::<Vec<_>>())
         .with_csv(move || listed(Table::of(motions), gravity, false).csv())
+}
+
+/// Peak accelerations of the pairs, a line each.
+fn said_of(pairs: &[(String, PairValues)], gravity: f64) -> Vec<String> {
+    let line = |(name, peaks): &(String, PairValues)| {
+        let [rotd50, rotd100, mean] = [peaks.rotd50, peaks.rotd100, peaks.geometric_mean].map(|peak| short(peak / gravity));
+        format!("{name}: PGA {rotd50} g RotD50, {rotd100} g RotD100, {mean} g geometric mean")
+    };
+    pairs.iter().map(line).collect()
+}
+
+fn pair_json(name: &str, peaks: &PairValues) -> Value {
+    json!({
+        "pair": name,
+        "pga_rotd50_m_per_s2": peaks.rotd50,
+        "pga_rotd100_m_per_s2": peaks.rotd100,
+        "pga_geometric_mean_m_per_s2": peaks.geometric_mean,
+    })
 }
 
 fn of_one<'a>(motion: &ListedMotion, found: &MeasuredMotion, gravity: f64) -> Answer<'a> {
