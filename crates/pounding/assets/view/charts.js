@@ -54,7 +54,7 @@ export class Chart {
     this.cursor = svg("path", { class: "cursor" });
     this.pointer = svg("path", { class: "pointer" });
     const words = `${this.title} in ${this.unit} over time`;
-    this.canvas.replaceChildren(svg("svg", { width, height, role: "img", "aria-label": words }, ...marks, ...times, ...lines, ...stems, this.cursor, this.pointer));
+    this.canvas.replaceChildren(svg("svg", { class: "film", width, height, role: "img", "aria-label": words }, ...marks, ...times, ...lines, ...stems, this.cursor, this.pointer));
     this.frame(this.time);
   }
 

@@ -32,7 +32,8 @@ export class Knobs {
     const shown = first.flatMap((id) => knobs.filter((knob) => knob.id === id));
     const others = knobs.filter((knob) => !first.includes(knob.id));
     const titles = [...new Set(others.map((knob) => knob.group))];
-    const groups = titles.map((title) => group(title, others.filter((knob) => knob.group === title), first.length === 0));
+    const narrow = matchMedia("(max-width: 60rem)").matches;
+    const groups = titles.map((title) => group(title, others.filter((knob) => knob.group === title), first.length === 0 && (!narrow || title === titles[0])));
     this.place.replaceChildren(...(shown.length ? [group("Turn these", shown, true)] : []), ...groups);
     if (focused) document.getElementById(focused)?.focus();
   }

@@ -53,7 +53,7 @@ function fail(error) {
   asked = null;
 }
 
-function show({ fact, run }) {
+function show([fact, run]) {
   const first = shown === null;
   shown = run;
   find("fault").hidden = true;
@@ -63,7 +63,7 @@ function show({ fact, run }) {
   find("title").textContent = summary.scene.name;
   document.title = `${summary.scene.name} – pounding`;
   showAnswer(run);
-  row.show(player, gapsOf(summary));
+  row.show(player, gapsOf(summary), run.knobs.find((knob) => knob.id === "direction").value);
   showCharts(run);
   const guide = about.guides.find((one) => one.key === state.guide);
   knobs.show(run.knobs, guide?.knobs ?? []);
@@ -111,7 +111,7 @@ function showCharts({ player, summary, exact_um: exact }) {
     time: start,
     value: 1e-3 * impulse,
     hue: player.pairs[pair].contact,
-    words: `${start.toFixed(3)} s, ${player.pairs[pair].name}: ${short(1e-3 * impulse)} kN·s${force === undefined ? ", impulsive" : `, ${short(1e-3 * force, 2)} kN`}`,
+    words: `${start.toFixed(3)} s, ${player.pairs[pair].name}: ${short(1e-3 * impulse)} kN·s${force === undefined ? ", impulsive" : `, ${Number((1e-3 * force).toPrecision(2))} kN`}`,
   }));
   charts.impacts.show({ interval, duration, stems });
 }
@@ -204,7 +204,7 @@ window.addEventListener("hashchange", () => { Object.assign(state, readState());
 
 try {
   about = await (await call(token, "guides", { guide: "", knobs: {} })).json();
-  const pages = [{ key: "", title: about.file ?? "Your two buildings" }, ...about.guides];
+  const pages = [{ key: "", title: about.file ?? "Demo" }, ...about.guides];
   find("guides").append(...pages.map(({ key, title }) => element("button", { type: "button", "data-key": key, onclick: () => go(key) }, title)));
   if (!pages.some((page) => page.key === state.guide)) state.guide = "";
   showGuide();

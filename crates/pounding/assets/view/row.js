@@ -1,11 +1,11 @@
 // The row to scale: heights in one scale, displacements and gaps in another that is a round number of times as large.
 
-import { at, short, svg } from "./draw.js";
+import { at, svg } from "./draw.js";
 
 const WIDE = 84;
 const TALL = 200;
 const MARGIN = 46;
-const ABOVE = 16;
+const ABOVE = 30;
 const BELOW = 40;
 /** Largest displacement and widest gap in the picture. */
 const SWAY = 44;
@@ -21,8 +21,8 @@ export class Row {
     this.caption = caption;
   }
 
-  /** Takes a run and the gaps of its contacts [m]. */
-  show(player, gaps) {
+  /** Takes a run, the gaps of its contacts [m] and the direction of shaking in words. */
+  show(player, gaps, direction) {
     this.player = player;
     const moving = player.floors.filter((floor) => !floor.is_wall);
     const up = TALL / Math.max(...moving.map((floor) => floor.elevation_m));
@@ -37,7 +37,7 @@ export class Row {
     }
     this.height = (floor) => ABOVE + TALL - up * floor.elevation_m;
     this.build();
-    this.caption.textContent = `Displacements and gaps are drawn ${this.times === 1 ? "in the scale of" : `${this.times} times as large as`} heights; a flash grows with the impulse.`;
+    this.caption.textContent = `Displacements and gaps are drawn ${this.times === 1 ? "in the scale of" : `${this.times} times as large as`} heights. A flash grows with the impulse. Shaken ${direction}.`;
   }
 
   build() {
@@ -107,7 +107,7 @@ export class Row {
       const strength = lit.get(pair) ?? 0;
       flash.setAttribute("cx", this.lefts[player.floors[floor].structure] + (right ? WIDE : 0) + moved[floor]);
       flash.setAttribute("cy", this.height(player.floors[floor]));
-      flash.setAttribute("r", strength > 0 ? (5 + 19 * strength).toFixed(1) : 0);
+      flash.setAttribute("r", strength > 0 ? (4 + 15 * strength).toFixed(1) : 0);
       flash.setAttribute("opacity", (0.25 + 0.7 * strength).toFixed(2));
     });
   }
@@ -116,9 +116,4 @@ export class Row {
 /** The gaps of a run as the server tells them [m]. */
 export function gapsOf(summary) {
   return (summary.scene.contacts ?? []).map((contact) => contact.gap_m);
-}
-
-/** A displacement in words. */
-export function millimetres(micrometres) {
-  return `${short(micrometres * 1e-3, 3)} mm`;
 }
