@@ -76,7 +76,11 @@ impl Player {
     /// The data of a run that kept its histories every [`interval`](Self::interval).
     pub fn of(prepared: &Simulation, outcome: &RunResult) -> Self {
         let floors = prepared.floors();
-        let all = floors.all().iter().enumerate().zip(micrometres(prepared, outcome, HistoryQuantity::Displacement));
+        let all = floors
+            .all()
+            .iter()
+            .enumerate()
+            .zip(micrometres(prepared, outcome, HistoryQuantity::Displacement));
         let all = all.map(|((index, floor), displacement_um)| PlayedFloor {
             name: floor.name.clone(),
             structure: floor.structure,

@@ -89,4 +89,4 @@ export class Runner {
 }
 
 /** How long a run may take before a later one stops it [ms]: shorter ones are shown, so that the picture follows the hand. */
-const PATIENCE = 300;
+const PATIENCE = 1000;

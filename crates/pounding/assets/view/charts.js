@@ -3,7 +3,7 @@
 import { at, element, short, svg, ticks } from "./draw.js";
 
 const LEFT = 52;
-const RIGHT = 10;
+const RIGHT = 16;
 const TOP = 8;
 const BOTTOM = 26;
 
@@ -29,8 +29,8 @@ export class Chart {
   /** @param {{interval: number, duration: number, series?: Series[], stems?: Array<{time: number, value: number, hue: number, words: string}>}} data */
   show({ interval, duration, series = [], stems = [] }) {
     Object.assign(this, { interval, duration, series, stems });
-    const named = series.filter((one) => one.name);
-    this.legend.replaceChildren(...named.map((one) => element("span", { class: `key hue${one.hue % 4}` }, one.name)));
+    const named = series.filter((one) => !one.dashed);
+    this.legend.replaceChildren(...named.map((one) => element("span", { class: `key hue${one.hue % 4}` }, one.name)), ...(named.length < series.length ? [element("span", {}, "dashed: exact")] : []));
     this.draw();
   }
 
@@ -104,7 +104,7 @@ export class Chart {
       const near = this.stems.reduce((best, one) => (Math.abs(one.time - time) < Math.abs(best.time - time) ? one : best));
       return near.words;
     }
-    const values = this.series.map(({ name, values: own }) => `${name || "exact"} ${short(at(own, time / this.interval), 3)}`);
+    const values = this.series.map(({ name, values: own }) => `${name} ${short(at(own, time / this.interval), 3)}`);
     return this.series.length ? `${time.toFixed(2)} s: ${values.join(", ")} ${this.unit}` : "none";
   }
 }

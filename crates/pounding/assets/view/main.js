@@ -100,7 +100,7 @@ function showCharts({ player, summary, exact_um: exact }) {
   const roofs = player.structures.map((_, one) => player.floors.findLastIndex((floor) => floor.structure === one && !floor.is_wall)).filter((one) => one >= 0);
   const hues = new Map(roofs.map((roof, hue) => [roof, hue]));
   const lines = roofs.map((roof) => ({ name: player.floors[roof].name, values: scaled(player.floors[roof].displacement_um), hue: hues.get(roof) }));
-  const beside = exact ? roofs.map((roof) => ({ name: "", values: scaled(exact[roof]), hue: hues.get(roof), dashed: true })) : [];
+  const beside = exact ? roofs.map((roof) => ({ name: `${player.floors[roof].name}, exact,`, values: scaled(exact[roof]), hue: hues.get(roof), dashed: true })) : [];
   charts.displacements.show({ interval, duration, series: [...lines, ...beside] });
   // Of every contact the pair of floors that comes closest.
   const openings = player.pairs.map((pair) => pair.opening_um.reduce((least, one) => Math.min(least, one), Infinity));

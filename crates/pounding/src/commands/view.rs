@@ -122,11 +122,17 @@ impl View {
         let own = match path {
             Some(path) => {
                 let base = super::read(path).and_then(|scene| Base::read(scene, super::folder(path)));
-                base.map_err(|error| error.in_file(path))?
+                let checked = base.and_then(|base| {
+                    base.prepared(&base.turned(&Turned::new())?, None)?;
+                    Ok(base)
+                });
+                checked.map_err(|error| error.in_file(path))?
             }
             None => Base::own(demo, record.as_bytes())?,
         };
-        let guides = guides::ALL.iter().map(|guide| Ok((guide, Base::own(guide.scene, record.as_bytes())?)));
+        let guides = guides::ALL
+            .iter()
+            .map(|guide| Ok((guide, Base::own(guide.scene, record.as_bytes())?)));
         Ok(Self {
             own,
             file: path.filter(|path| *path != Path::new("-")).map(Path::to_path_buf),
@@ -188,7 +194,9 @@ impl View {
                 Err(error) => return Err(Refused::at(path.as_path()).is(format!("cannot be written: {error}"))),
             }
         }
-        Err(Refused::at(file.as_path()).is("has 999 turned scenes beside it").allowed_is("fewer"))
+        Err(Refused::at(file.as_path())
+            .is("has 999 turned scenes beside it")
+            .allowed_is("fewer"))
     }
 }
 

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use pounding::contact::{Calibration, ContactLaw, Exact, FreePair, LawName};
 use pounding::scene::{Contact, Damping, Method, RecordUse, STANDARD_GRAVITY, Scene, StepMethod, Structure};
-use pounding::text::Refused;
+use pounding::text::{Refused, digits};
 use serde::Serialize;
 use serde_json::Value;
 
@@ -151,7 +151,10 @@ impl Kind {
 
     fn choice(value: impl Into<String>, options: impl IntoIterator<Item = (String, String)>) -> Self {
         let options = options.into_iter().collect();
-        Self::Choice { value: value.into(), options }
+        Self::Choice {
+            value: value.into(),
+            options,
+        }
     }
 
     /// A value that the knob allows.
@@ -272,7 +275,7 @@ impl Knob {
                 let step = now.method.time_step()?;
                 let own = Some(step).filter(|step| !STEPS.contains(step));
                 let options = own.into_iter().chain(STEPS);
-                let options = options.map(|step| (step.to_string(), format!("{} ms", pounding::text::short(1e3 * step))));
+                let options = options.map(|step| (step.to_string(), format!("{} ms", digits(1e3 * step))));
                 Kind::choice(step.to_string(), options)
             }
         })

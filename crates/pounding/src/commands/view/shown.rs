@@ -1,12 +1,13 @@
 //! A turned scene as the page shows it: the summary that `run --json` prints, the first screen of the answer, and the run to be played.
 
 use std::path::Path;
-use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
+use std::sync::{Arc, Mutex, PoisonError};
 
 use pounding::assess::Separation;
+use pounding::contact::{ContactLaw, Stereomechanical};
 use pounding::report::{Player, Report, Summary, other_direction};
-use pounding::scene::{Error, GroundMotion, Origin, Scene, Simulation, SimulationOptions, Source};
+use pounding::scene::{Contact, Error, GroundMotion, Origin, Scene, Simulation, SimulationOptions, Source};
 use pounding::text::{Refused, rounded_up};
 use serde::Serialize;
 use serde_json::Value;
@@ -15,12 +16,17 @@ use super::guides::Guide;
 use super::knobs::{Drawn, Turned, drawn, turned};
 
 /// A scene to be turned, with its record at hand.
-#[derive(Debug, Clone)]
+#[derive(Debug)]
 pub(super) struct Base {
     scene: Scene,
     /// The record; `None` for a motion from a formula.
     origin: Option<Arc<Origin>>,
+    /// The row and the widths that were found last.
+    widths: Mutex<Option<(Scene, Widths)>>,
 }
+
+/// The widths of all gaps under the shaking as given, and reversed.
+type Widths = [Vec<Separation>; 2];
 
 /// What the page shows of a run.
 #[derive(Debug, Serialize)]
@@ -59,6 +65,11 @@ impl Shown {
 }
 
 impl Base {
+    fn of(scene: Scene, origin: Option<Arc<Origin>>) -> Self {
+        let widths = Mutex::default();
+        Self { scene, origin, widths }
+    }
+
     /// A scene of a file with its record.
     ///
     /// # Errors
@@ -68,7 +79,7 @@ impl Base {
             Source::File(file) => Some(Arc::new(Origin::read(&folder.join(&file.file), file)?)),
             Source::Generated(_) => None,
         };
-        Ok(Self { scene, origin })
+        Ok(Self::of(scene, origin))
     }
 
     /// A scene of the program under a record of the program.
@@ -81,7 +92,7 @@ impl Base {
             Source::File(file) => Some(Arc::new(Origin::of(Path::new(&file.file), record, file)?)),
             Source::Generated(_) => None,
         };
-        Ok(Self { scene, origin })
+        Ok(Self::of(scene, origin))
     }
 
     /// Name of the scene.
@@ -128,7 +139,7 @@ impl Base {
                 let review = prepared.review_recorded(true, Some(interval));
                 (review, Player::exact_beside(&prepared))
             },
-            || (other_direction(&prepared), gaps(&prepared)),
+            || (other_direction(&prepared), self.gaps(&prepared)),
         );
         let report = Report::of_review(&prepared, Arc::new(review?)).with_other_direction(other);
         Ok(Shown {
@@ -141,26 +152,55 @@ impl Base {
             knobs: drawn(&self.scene, &scene),
         })
     }
+
+    /// The gaps of a row and the widths that they need.
+    fn gaps(&self, prepared: &Simulation) -> Result<Vec<GapNeeds>, Error> {
+        let contacts = prepared.scene().contacts.as_deref().unwrap_or_default();
+        if contacts.is_empty() {
+            return Ok(Vec::new());
+        }
+        let [given, reversed] = self.widths(prepared)?;
+        let needs = given.into_iter().zip(reversed).map(|(given, reversed)| {
+            let gap_m = contacts.get(given.left).map(|one| one.gap_m);
+            GapNeeds {
+                left: given.left,
+                gap_m,
+                required_m: [given.required, reversed.required],
+                enough_mm: rounded_up(1e3 * given.required.max(reversed.required), 1),
+                is_enough: gap_m.is_some_and(|gap| !given.asks_for_more(gap) && !reversed.asks_for_more(gap)),
+            }
+        });
+        Ok(needs.collect())
+    }
+
+    /// The widths of a row. They depend neither on gaps nor on laws, so that turning these takes the last ones.
+    fn widths(&self, prepared: &Simulation) -> Result<Widths, Error> {
+        let row = prepared.scene().apart();
+        let row = Scene {
+            contacts: row.contacts.map(|all| all.into_iter().map(blank).collect()),
+            ..row
+        };
+        let known = || self.widths.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some((last, widths)) = &*known()
+            && *last == row
+        {
+            return Ok(widths.clone());
+        }
+        let mirrored = prepared.under(|record| record.scaled(-1.0))?;
+        let (given, reversed) = rayon::join(|| Separation::of(prepared), || Separation::of(&mirrored));
+        let widths = [given?, reversed?];
+        *known() = Some((row, widths.clone()));
+        Ok(widths)
+    }
 }
 
-fn gaps(prepared: &Simulation) -> Result<Vec<GapNeeds>, Error> {
-    if prepared.scene().contacts.is_none() {
-        return Ok(Vec::new());
+/// A contact whose gap and law are those of every other one.
+fn blank(contact: Contact) -> Contact {
+    Contact {
+        gap_m: 0.0,
+        law: ContactLaw::Stereomechanical(Stereomechanical::default()),
+        ..contact
     }
-    let reversed = prepared.under(|record| record.scaled(-1.0))?;
-    let (given, reversed) = rayon::join(|| Separation::of(prepared), || Separation::of(&reversed));
-    let needs = given?.into_iter().zip(reversed?).map(|(given, reversed)| {
-        let gap_m = prepared.scene().contacts.as_ref().and_then(|all| all.get(given.left)).map(|one| one.gap_m);
-        let needed = given.required.max(reversed.required);
-        GapNeeds {
-            left: given.left,
-            gap_m,
-            required_m: [given.required, reversed.required],
-            enough_mm: rounded_up(1e3 * needed, 1),
-            is_enough: gap_m.is_some_and(|gap| !given.asks_for_more(gap) && !reversed.asks_for_more(gap)),
-        }
-    });
-    Ok(needs.collect())
 }
 
 /// A scene as a program for Python.
@@ -175,12 +215,12 @@ fn literal(value: &Value, depth: usize, text: &mut String) {
     let mut several = |ends: [char; 2], items: Vec<(String, &Value)>| {
         text.push(ends[0]);
         for (key, item) in &items {
-            text.push_str(&format!("\n{}{key}", "    ".repeat(depth + 1)));
+            text.extend(["\n", &"    ".repeat(depth + 1), key]);
             literal(item, depth + 1, text);
             text.push(',');
         }
         if !items.is_empty() {
-            text.push_str(&format!("\n{}", "    ".repeat(depth)));
+            text.extend(["\n", &"    ".repeat(depth)]);
         }
         text.push(ends[1]);
     };
@@ -189,6 +229,11 @@ fn literal(value: &Value, depth: usize, text: &mut String) {
         Value::Bool(truth) => text.push_str(if *truth { "True" } else { "False" }),
         Value::Number(_) | Value::String(_) => text.push_str(&value.to_string()),
         Value::Array(all) => several(['[', ']'], all.iter().map(|item| (String::new(), item)).collect()),
-        Value::Object(all) => several(['{', '}'], all.iter().map(|(key, item)| (format!("{}: ", Value::from(key.as_str())), item)).collect()),
+        Value::Object(all) => several(
+            ['{', '}'],
+            all.iter()
+                .map(|(key, item)| (format!("{}: ", Value::from(key.as_str())), item))
+                .collect(),
+        ),
     }
 }
