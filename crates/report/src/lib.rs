@@ -49,6 +49,7 @@ mod names;
 mod not_modelled;
 mod opensees;
 mod page;
+mod player;
 mod row;
 mod rules;
 mod sampling;
@@ -77,6 +78,8 @@ pub use history::{HistoryQuantity, history_of};
 pub use impacts::collision_table;
 pub use motion::MeasuredRecord;
 pub use opensees::{OpenSees, OpenSeesError};
+pub use page::STYLE;
+pub use player::Player;
 use pounding_assess::Effects;
 use pounding_files::ResultNames;
 use pounding_scene::{Error, Review, RunResult, Simulation};
@@ -162,6 +165,11 @@ impl<'a> Report<'a> {
     /// The run with its errors, if they are known.
     pub fn review(&self) -> &Review {
         &self.review
+    }
+
+    /// The first screen of [`answer`](Self::answer) as markup for a page.
+    pub fn first_screen(&self) -> String {
+        page::answer::first_screen(&self.answer())
     }
 
     /// What came out, for machines.

@@ -25,6 +25,11 @@ const FILES: [(&str, &str); 2] = [
 ];
 const SCENE: &str = "scene.toml";
 
+/// The scene and its record.
+pub(super) fn files() -> (&'static str, &'static str) {
+    (FILES[0].1, FILES[1].1)
+}
+
 /// The arguments of `demo`.
 #[derive(Debug, clap::Args)]
 #[command(after_help = EXAMPLES)]

@@ -20,6 +20,7 @@ mod schema;
 mod slabs;
 mod suite;
 mod sweep;
+mod view;
 
 use std::path::{Path, PathBuf};
 
@@ -60,6 +61,8 @@ enum Command {
     Check(check::Arguments),
     /// Run a scene and print peaks, collisions, errors and work.
     Run(run::Arguments),
+    /// See a scene move in a browser, and turn its numbers.
+    View(view::Arguments),
     /// Say under a folder of records whether the gaps are enough, and what
     /// touching does.
     Assess(assess::Arguments),
@@ -118,6 +121,7 @@ impl Program {
             Command::Init(args) => init::run(args),
             Command::Check(args) => check::run(args),
             Command::Run(args) => run::run(args),
+            Command::View(args) => view::run(args),
             Command::Assess(args) => assess::run(args),
             Command::Compare(args) => compare::run(args),
             Command::Sweep(args) => return sweep::run(args),

@@ -43,6 +43,7 @@ mod sweep_refusals;
 mod sweeps;
 mod unusual;
 mod unwatched;
+mod view;
 mod written;
 
 use std::fs;

@@ -31,6 +31,18 @@ pub(crate) fn html(answer: &Answer<'_>, mut figure: impl FnMut(&str) -> String) 
     page
 }
 
+/// The parts of an answer that a terminal shows first, each with its label in front.
+pub(crate) fn first_screen(answer: &Answer<'_>) -> String {
+    let shown = |place: Where| matches!(place, Where::Everywhere | Where::Terminal | Where::FirstScreen);
+    let parts = answer.parts().iter().filter(|(place, _)| shown(*place));
+    let markup = parts.map(|(_, part)| match part {
+        Part::Words(words) => format!("<section>\n<h3>{}</h3>\n{}</section>\n", escaped(words.label), sentences(words)),
+        Part::Table(grid) => table(grid),
+        Part::Markup(_) | Part::Heading(_) | Part::Appendix(_) | Part::Figure(_) => String::new(),
+    });
+    markup.collect()
+}
+
 fn sentences(words: &Sentences) -> String {
     let paragraph = |class: &str, line: &String| format!("<p{class}>{}</p>\n", prose(line));
     let lines = words.lines.iter();

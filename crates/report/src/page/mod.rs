@@ -25,7 +25,8 @@ pub(crate) fn sentence(words: &str) -> String {
     first.chain(letters).chain(['.']).collect()
 }
 
-const STYLE: &str = include_str!("style.css");
+/// The style sheet of pages.
+pub const STYLE: &str = include_str!("style.css");
 
 /// The page.
 pub(super) fn html(report: &Report<'_>, illustrations: &[Illustration], animation: &str) -> String {

@@ -1,0 +1,92 @@
+// The token, the state in the address, and calls of the server. The server checks every value again.
+
+const KEY = "pounding-token";
+
+/** The token comes behind `#` in the address that the program prints. It leaves the address at once: an address that is copied has the state alone. */
+export function takeToken() {
+  const given = new URLSearchParams(location.hash.slice(1));
+  const token = given.get("token");
+  if (token) {
+    given.delete("token");
+    try { localStorage.setItem(KEY, token); } catch { /* A browser that keeps nothing: this window has it. */ }
+    history.replaceState(null, "", given.size ? `#${given}` : location.pathname);
+    return token;
+  }
+  try { return localStorage.getItem(KEY) ?? ""; } catch { return ""; }
+}
+
+/** @returns {{guide: string, knobs: Object<string, number|string|null>}} */
+export function readState() {
+  const given = new URLSearchParams(location.hash.slice(1));
+  const guide = given.get("guide") ?? "";
+  const knobs = {};
+  for (const [id, text] of given) {
+    if (id === "guide" || id === "token") continue;
+    knobs[id] = text === "none" ? null : /^-?[\d.]+(e[-+]?\d+)?$/i.test(text) && !WORDS.test(id) ? Number(text) : text;
+  }
+  return { guide, knobs };
+}
+
+/** Knobs whose values are words, also where they look like numbers. */
+const WORDS = /^(law|direction|method|step)\b/;
+
+export function writeState({ guide, knobs }) {
+  const state = new URLSearchParams();
+  if (guide) state.set("guide", guide);
+  for (const [id, value] of Object.entries(knobs)) state.set(id, value === null ? "none" : String(value));
+  history.replaceState(null, "", state.size ? `#${state}` : location.pathname);
+}
+
+/** A refusal of the server, in its words. */
+export class Refusal extends Error {
+  constructor(status, words) {
+    super(words);
+    this.status = status;
+  }
+}
+
+const drawn = crypto.getRandomValues(new Uint32Array(1))[0];
+
+/** Calls the server with the state; `signal` gives up waiting. */
+export async function call(token, name, { guide, knobs }, signal) {
+  const body = JSON.stringify({ window: drawn, guide, knobs });
+  const answer = await fetch(`/api/${name}`, { method: "POST", headers: { "X-Pounding-Token": token }, body, signal });
+  if (!answer.ok) throw new Refusal(answer.status, await answer.text());
+  return answer;
+}
+
+/** Runs states one after the other; of those that come meanwhile only the latest runs, and stops a run that takes long. */
+export class Runner {
+  /**
+   * @param {(state: object, signal: AbortSignal) => Promise<void>} run
+   * @param {(busy: boolean) => void} tell
+   */
+  constructor(run, tell) {
+    this.run = run;
+    this.tell = tell;
+    this.next = null;
+    this.running = null;
+  }
+
+  ask(state) {
+    this.next = state;
+    if (!this.running) this.go();
+    else if (performance.now() - this.since > PATIENCE) this.running.abort();
+  }
+
+  async go() {
+    while (this.next) {
+      const state = this.next;
+      this.next = null;
+      this.running = new AbortController();
+      this.since = performance.now();
+      this.tell(true);
+      await this.run(state, this.running.signal);
+    }
+    this.running = null;
+    this.tell(false);
+  }
+}
+
+/** How long a run may take before a later one stops it [ms]: shorter ones are shown, so that the picture follows the hand. */
+const PATIENCE = 1000;

@@ -1,0 +1,214 @@
+// The page: state, runs, and what is shown of them.
+
+import { Refusal, Runner, call, readState, takeToken, writeState } from "./api.js";
+import { Chart } from "./charts.js";
+import { element, short } from "./draw.js";
+import { Knobs } from "./knobs.js";
+import { Row, gapsOf } from "./row.js";
+
+const token = takeToken();
+const find = (id) => document.getElementById(id);
+const state = readState();
+let about = { scene: "", file: null, guides: [] };
+let shown = null;
+/** When the knob moved that the next picture answers; the time to that picture stands in an attribute for measurements. */
+let asked = null;
+
+const time = find("time");
+const row = new Row(find("row"), find("scale"));
+const charts = {
+  displacements: new Chart({ title: "Displacement", unit: "mm", height: 190, seek }),
+  gaps: new Chart({ title: "Open gap", unit: "mm", height: 130, seek }),
+  impacts: new Chart({ title: "Impulses", unit: "kN·s", height: 120, seek }),
+};
+find("charts").append(...Object.values(charts).map((chart) => chart.place));
+const knobs = new Knobs(find("knobs"), (id, value) => {
+  state.knobs[id] = value;
+  turned();
+});
+
+function turned() {
+  asked ??= performance.now();
+  writeState(state);
+  runner.ask({ guide: state.guide, knobs: { ...state.knobs } });
+}
+
+const runner = new Runner(async (wanted, signal) => {
+  try {
+    const answer = await (await call(token, "run", wanted, signal)).json();
+    if (wanted.guide === state.guide) show(answer);
+  } catch (error) {
+    if (error.name !== "AbortError" && error.status !== 409) fail(error);
+  }
+}, (busy) => {
+  clearTimeout(runner.soon);
+  find("busy").hidden = true;
+  if (busy) runner.soon = setTimeout(() => { find("busy").hidden = false; }, 400);
+});
+
+function fail(error) {
+  const lost = error instanceof Refusal ? error.message : "The program has ended, or cannot be reached: start `pounding view` again.";
+  find("fault").textContent = lost;
+  find("fault").hidden = false;
+  asked = null;
+}
+
+function show([fact, run]) {
+  const first = shown === null;
+  shown = run;
+  find("fault").hidden = true;
+  find("fact").textContent = fact ?? "";
+  find("fact").hidden = !fact;
+  const { player, summary } = run;
+  find("title").textContent = summary.scene.name;
+  document.title = `${summary.scene.name} – pounding`;
+  showAnswer(run);
+  row.show(player, gapsOf(summary), run.knobs.find((knob) => knob.id === "direction").value);
+  showCharts(run);
+  const guide = about.guides.find((one) => one.key === state.guide);
+  knobs.show(run.knobs, guide?.knobs ?? []);
+  time.max = summary.method.duration_s;
+  if (first) start(player);
+  seek(Math.min(Number(time.value), summary.method.duration_s));
+  requestAnimationFrame(() => {
+    if (asked !== null) document.body.dataset.latency = (performance.now() - asked).toFixed(1);
+    document.body.dataset.runs = Number(document.body.dataset.runs ?? 0) + 1;
+    asked = null;
+  });
+}
+
+/** The sentence of the answer stands first, with the widths that gaps need; the other parts follow the panels. */
+function showAnswer({ answer, gaps, player }) {
+  const parts = new DOMParser().parseFromString(answer, "text/html").body;
+  const title = (part) => part.querySelector(":scope > h3")?.textContent;
+  const sections = [...parts.children];
+  const verdict = sections.filter((part) => title(part) === "Answer");
+  verdict.forEach((part) => part.querySelector("h3").remove());
+  find("verdict").replaceChildren(...verdict);
+  find("details").replaceChildren(...sections.filter((part) => !verdict.includes(part) && title(part) !== "More"));
+  find("needs").replaceChildren(...gaps.map(({ left, gap_m: gap, enough_mm: enough, is_enough: isEnough }) => {
+    const names = player.structures.slice(left, left + 2).join(" – ");
+    const own = gap === undefined ? "" : `; it has ${short(1e3 * gap)} mm`;
+    return element("li", { class: isEnough ? "enough" : "narrow" }, `${names}: required width ${enough} mm, whatever the direction${own}, ${isEnough ? "wide enough" : "too narrow"}.`);
+  }));
+}
+
+function showCharts({ player, summary, exact_um: exact }) {
+  const { interval_s: interval } = player;
+  const duration = summary.method.duration_s;
+  const scaled = (values) => values.map((one) => one * 1e-3);
+  const roofs = player.structures.map((_, one) => player.floors.findLastIndex((floor) => floor.structure === one && !floor.is_wall)).filter((one) => one >= 0);
+  const hues = new Map(roofs.map((roof, hue) => [roof, hue]));
+  const lines = roofs.map((roof) => ({ name: player.floors[roof].name, values: scaled(player.floors[roof].displacement_um), hue: hues.get(roof) }));
+  const beside = exact ? roofs.map((roof) => ({ name: `${player.floors[roof].name}, exact,`, values: scaled(exact[roof]), hue: hues.get(roof), dashed: true })) : [];
+  charts.displacements.show({ interval, duration, series: [...lines, ...beside] });
+  // Of every contact the pair of floors that comes closest.
+  const openings = player.pairs.map((pair) => pair.opening_um.reduce((least, one) => Math.min(least, one), Infinity));
+  const closest = gapsOf(summary).map((_, contact) => player.pairs.reduce((best, pair, index) => (pair.contact === contact && (best < 0 || openings[index] < openings[best]) ? index : best), -1));
+  const gaps = closest.filter((pair) => pair >= 0);
+  charts.gaps.show({ interval, duration, series: gaps.map((pair, hue) => ({ name: player.pairs[pair].name, values: scaled(player.pairs[pair].opening_um), hue })) });
+  const stems = player.collisions.map(({ pair, start_s: start, impulse_n_s: impulse, peak_force_n: force }) => ({
+    time: start,
+    value: 1e-3 * impulse,
+    hue: player.pairs[pair].contact,
+    words: `${start.toFixed(3)} s, ${player.pairs[pair].name}: ${short(1e-3 * impulse)} kN·s${force === undefined ? ", impulsive" : `, ${Number((1e-3 * force).toPrecision(2))} kN`}`,
+  }));
+  charts.impacts.show({ interval, duration, stems });
+}
+
+// ---- Time ----
+
+let playing = false;
+let last = null;
+
+/** Begins shortly before the hardest collision: moving, unless less motion is asked for. */
+function start(player) {
+  const hardest = player.collisions.reduce((best, one) => (best && best.impulse_n_s >= one.impulse_n_s ? best : one), null);
+  const still = matchMedia("(prefers-reduced-motion: reduce)").matches;
+  time.value = hardest ? Math.max(hardest.start_s - (still ? 0 : 1.5), 0) : 0;
+  play(!still);
+}
+
+function play(on) {
+  playing = on;
+  last = null;
+  find("play").textContent = on ? "Pause" : "Play";
+  if (on) requestAnimationFrame(tick);
+}
+
+function tick(now) {
+  if (!playing || !shown) return;
+  const passed = last === null ? 0 : (now - last) / 1000;
+  last = now;
+  const next = Number(time.value) + passed * Number(find("speed").value);
+  const end = Number(time.max);
+  seek(next >= end ? 0 : next);
+  requestAnimationFrame(tick);
+}
+
+function seek(to) {
+  time.value = to;
+  if (!shown) return;
+  row.frame(to);
+  for (const chart of Object.values(charts)) chart.frame(to);
+  time.setAttribute("aria-valuetext", charts.displacements.words(to));
+}
+
+time.addEventListener("input", () => { play(false); seek(Number(time.value)); });
+find("play").addEventListener("click", () => play(!playing));
+
+// ---- Guides and buttons ----
+
+function showGuide() {
+  const guide = about.guides.find((one) => one.key === state.guide);
+  find("guide").replaceChildren(...(guide ? [element("h2", {}, guide.title), ...guide.text.map((line) => element("p", {}, line))] : []));
+  for (const link of find("guides").children) link.toggleAttribute("aria-current", link.dataset.key === state.guide);
+  find("save").hidden = Boolean(state.guide) || !about.file;
+}
+
+function go(guide) {
+  Object.assign(state, { guide, knobs: {} });
+  shown = null;
+  showGuide();
+  turned();
+}
+
+/** Does what a button asks for, and says how it went. */
+function button(id, work) {
+  find(id).addEventListener("click", async () => {
+    try {
+      find("told").textContent = "…";
+      find("told").textContent = await work();
+    } catch (error) {
+      find("told").textContent = "";
+      fail(error);
+    }
+  });
+}
+
+button("save", async () => `Saved as ${await (await call(token, "save", state)).text()}.`);
+button("python", async () => {
+  const text = await (await call(token, "python", state)).text();
+  await navigator.clipboard.writeText(text);
+  return "Copied.";
+});
+button("report", async () => {
+  const page = await (await call(token, "report", state)).blob();
+  const link = element("a", { href: URL.createObjectURL(page), download: "report.html" });
+  link.click();
+  setTimeout(() => URL.revokeObjectURL(link.href), 10_000);
+  return "The report is in your downloads.";
+});
+find("reset").addEventListener("click", () => go(state.guide));
+window.addEventListener("hashchange", () => { Object.assign(state, readState()); showGuide(); turned(); });
+
+try {
+  about = await (await call(token, "guides", { guide: "", knobs: {} })).json();
+  const pages = [{ key: "", title: about.file ?? "Demo" }, ...about.guides];
+  find("guides").append(...pages.map(({ key, title }) => element("button", { type: "button", "data-key": key, onclick: () => go(key) }, title)));
+  if (!pages.some((page) => page.key === state.guide)) state.guide = "";
+  showGuide();
+  turned();
+} catch (error) {
+  fail(error);
+}

@@ -1,0 +1,133 @@
+//! The guided pages: each shows one mechanism, with a scene whose numbers can be turned.
+
+use pounding::report::Summary;
+use pounding::scene::PairQuantity;
+use pounding::text::{Unit, digits, short};
+use serde_json::{Value, json};
+
+/// A guided page.
+#[derive(Debug)]
+pub(super) struct Guide {
+    /// Its word in the address.
+    pub(super) key: &'static str,
+    title: &'static str,
+    /// What to do and what is seen.
+    text: &'static [&'static str],
+    /// The scene, under the record of `demo`.
+    pub(super) scene: &'static str,
+    /// The knobs to turn, which come first.
+    knobs: &'static [&'static str],
+    /// A sentence with numbers of the run.
+    pub(super) fact: Option<fn(&Summary) -> Option<String>>,
+}
+
+impl Guide {
+    /// The page, for the browser.
+    pub(super) fn json(&self) -> Value {
+        json!({"key": self.key, "title": self.title, "text": self.text, "knobs": self.knobs})
+    }
+}
+
+const WIDER: &str = include_str!("../../../assets/view/wider.toml");
+const PAIR: &str = include_str!("../../../assets/view/pair.toml");
+const LAYOUT_C: &str = include_str!("../../../assets/view/layout-c.toml");
+const SLAB: &str = include_str!("../../../assets/view/slab.toml");
+const IMPULSE: &str = include_str!("../../../assets/view/impulse.toml");
+
+/// Every guide, in the order of the page.
+pub(super) const ALL: [Guide; 6] = [
+    Guide {
+        key: "wider",
+        title: "A wider gap can be worse",
+        text: &[
+            "Drag the gap from 40 to 60 mm. The blow becomes a third harder, and the new building drifts a fifth further: a narrow gap stops \
+             the swing early, a wider one lets both buildings pick up speed before they meet.",
+            "Above the required width nothing touches. Until then wider is not always safer.",
+        ],
+        scene: WIDER,
+        knobs: &["gap.0"],
+        fact: None,
+    },
+    Guide {
+        key: "step",
+        title: "Halve Δt, and the paper’s force doubles",
+        text: &[
+            "This contact is an impulse: the velocities jump at once. The paper divides the impulse by the time step and calls the \
+             quotient the pounding force.",
+            "Choose half the time step. The impulse stays, the quotient doubles: it measures the step and no force. Choose a law with a \
+             stiffness to get a force.",
+        ],
+        scene: IMPULSE,
+        knobs: &["step", "method", "law.0"],
+        fact: Some(over_the_step),
+    },
+    Guide {
+        key: "mirrored",
+        title: "Mirrored shaking",
+        text: &[
+            "Nobody knows from which side an earthquake comes. Turn the direction: the same record mirrored is another earthquake for a row \
+             that is not symmetric.",
+            "The answer has a sentence for each direction. The worse one for the buildings comes first: here it has the softer blow, and the old \
+             building drifts further and keeps more of it.",
+        ],
+        scene: PAIR,
+        knobs: &["direction", "gap.0"],
+        fact: None,
+    },
+    Guide {
+        key: "law",
+        title: "Which law, which stiffness",
+        text: &[
+            "Choose other laws. The first touch stays at its instant. Among laws of the same restitution the first impulse goes from 200 to \
+             400 kN·s, and the largest force from 2700 to 8000 kN.",
+            "Then drag the stiffness. Ten times the stiffness gives some 2.5 times the force of a Hertz spring. Nobody knows this stiffness, so \
+             the force is no design force.",
+        ],
+        scene: PAIR,
+        knobs: &["law.0", "stiffness.0", "restitution.0"],
+        fact: None,
+    },
+    Guide {
+        key: "middle",
+        title: "The middle building of layout C",
+        text: &[
+            "A weak building stands between two stiff ones, as in layout C of the paper. Both neighbours stop it: it is hit often, and \
+             still moves less than alone.",
+            "Widen both gaps, and the building in the middle yields more. Its neighbours hardly move differently: they are 40 times as heavy.",
+        ],
+        scene: LAYOUT_C,
+        knobs: &["gap.0", "gap.1", "yield.1"],
+        fact: None,
+    },
+    Guide {
+        key: "slab",
+        title: "A slab against a column",
+        text: &[
+            "The slabs of one building stand between the floors of the other. They hit columns, which push the floors above and below, and \
+             which have to carry the blow in bending and shear.",
+            "Drag the gap. The warnings compare the shear force of the column that is hit with what one column bears.",
+        ],
+        scene: SLAB,
+        knobs: &["gap.0", "stiffness.0", "scale"],
+        fact: None,
+    },
+];
+
+/// The largest impulse over the time step, which the paper calls a force.
+fn over_the_step(summary: &Summary) -> Option<String> {
+    let pair = summary.pairs.first()?;
+    let impulse = pair.largest?.impulse_n_s;
+    let Some(step) = summary.method.time_step_s else {
+        return Some("The exact method has no time step, so nothing to divide by. Choose another method.".into());
+    };
+    let force = Unit::POUNDING_FORCE.text_of(impulse / step, 1.0);
+    let own = pair.number(PairQuantity::PeakForceN);
+    let own = own.map_or_else(String::new, |own| {
+        format!(" The force of the law is {} kN.", Unit::POUNDING_FORCE.text_of(own, 1.0))
+    });
+    Some(format!(
+        "Largest impulse {} kN·s; over the time step of {} ms this is {force} kN.{own}",
+        short(1e-3 * impulse),
+        digits(1e3 * step),
+    ))
+}

@@ -1,0 +1,239 @@
+//! A turned scene as the page shows it: the summary that `run --json` prints, the first screen of the answer, and the run to be played.
+
+use std::path::Path;
+use std::sync::atomic::AtomicBool;
+use std::sync::{Arc, Mutex, PoisonError};
+
+use pounding::assess::Separation;
+use pounding::contact::{ContactLaw, Stereomechanical};
+use pounding::report::{Player, Report, Summary, other_direction};
+use pounding::scene::{Contact, Error, GroundMotion, Origin, Scene, Simulation, SimulationOptions, Source};
+use pounding::text::{Refused, rounded_up};
+use serde::Serialize;
+use serde_json::Value;
+
+use super::guides::Guide;
+use super::knobs::{Drawn, Turned, drawn, turned};
+
+/// A scene to be turned, with its record at hand.
+#[derive(Debug)]
+pub(super) struct Base {
+    scene: Scene,
+    /// The record; `None` for a motion from a formula.
+    origin: Option<Arc<Origin>>,
+    /// The row and the widths that were found last.
+    widths: Mutex<Option<(Scene, Widths)>>,
+}
+
+/// The widths of all gaps under the shaking as given, and reversed.
+type Widths = [Vec<Separation>; 2];
+
+/// What the page shows of a run.
+#[derive(Debug, Serialize)]
+pub(super) struct Shown {
+    summary: Summary,
+    /// The first screen of the answer as markup.
+    answer: String,
+    gaps: Vec<GapNeeds>,
+    player: Player,
+    /// Displacements by the exact method beside those of a run with time steps \[µm\].
+    #[serde(skip_serializing_if = "Option::is_none")]
+    exact_um: Option<Vec<Vec<i64>>>,
+    knobs: Vec<Drawn>,
+}
+
+/// A gap and the width that it needs, whatever the direction of shaking.
+#[derive(Debug, Serialize)]
+struct GapNeeds {
+    /// Index of the structure on the left.
+    left: usize,
+    /// Width in the scene \[m\].
+    #[serde(skip_serializing_if = "Option::is_none")]
+    gap_m: Option<f64>,
+    /// Widths that shaking as given and reversed ask for \[m\].
+    required_m: [f64; 2],
+    /// The larger of both in millimetres, rounded up.
+    enough_mm: String,
+    is_enough: bool,
+}
+
+impl Shown {
+    /// The sentence of a guide with numbers of this run.
+    pub(super) fn fact(&self, guide: &Guide) -> Option<String> {
+        guide.fact.and_then(|fact| fact(&self.summary))
+    }
+}
+
+impl Base {
+    fn of(scene: Scene, origin: Option<Arc<Origin>>) -> Self {
+        let widths = Mutex::default();
+        Self { scene, origin, widths }
+    }
+
+    /// A scene of a file with its record.
+    ///
+    /// # Errors
+    /// Refuses a record that cannot be read.
+    pub(super) fn read(scene: Scene, folder: &Path) -> Result<Self, Error> {
+        let origin = match &scene.record.source {
+            Source::File(file) => Some(Arc::new(Origin::read(&folder.join(&file.file), file)?)),
+            Source::Generated(_) => None,
+        };
+        Ok(Self::of(scene, origin))
+    }
+
+    /// A scene of the program under a record of the program.
+    ///
+    /// # Errors
+    /// Those of a scene and of a record.
+    pub(super) fn own(scene: &str, record: &[u8]) -> Result<Self, Error> {
+        let scene = Scene::parse(scene.as_bytes(), Path::new("scene.toml"))?;
+        let origin = match &scene.record.source {
+            Source::File(file) => Some(Arc::new(Origin::of(Path::new(&file.file), record, file)?)),
+            Source::Generated(_) => None,
+        };
+        Ok(Self::of(scene, origin))
+    }
+
+    /// Name of the scene.
+    pub(super) fn name(&self) -> &str {
+        &self.scene.name
+    }
+
+    /// The scene with knobs turned.
+    ///
+    /// # Errors
+    /// Those of [`turned`].
+    pub(super) fn turned(&self, knobs: &Turned) -> Result<Scene, Refused> {
+        turned(&self.scene, knobs)
+    }
+
+    /// The turned scene, ready to run.
+    ///
+    /// # Errors
+    /// Those of a scene.
+    pub(super) fn prepared(&self, scene: &Scene, stop: Option<&'static AtomicBool>) -> Result<Simulation, Error> {
+        let motion = match (&scene.record.source, &self.origin) {
+            (Source::Generated(formula), _) => GroundMotion::of_formula(&scene.record, formula)?,
+            (Source::File(_), Some(origin)) => GroundMotion::of_file(&scene.record, Arc::clone(origin))?,
+            (Source::File(file), None) => return Err(Refused::at(file.file.clone()).is("was not read").into()),
+        };
+        let options = SimulationOptions {
+            motion: Some(motion.into()),
+            stop,
+            ..SimulationOptions::default()
+        };
+        Simulation::new(scene, options)
+    }
+
+    /// Runs the turned scene as `run` does, in both directions, and finds the widths that its gaps need.
+    ///
+    /// # Errors
+    /// Those of a run.
+    pub(super) fn shown(&self, knobs: &Turned, stop: &'static AtomicBool) -> Result<Shown, Error> {
+        let scene = self.turned(knobs)?;
+        let prepared = self.prepared(&scene, Some(stop))?;
+        let interval = Player::interval(&prepared);
+        let ((review, exact), (other, gaps)) = rayon::join(
+            || {
+                let review = prepared.review_recorded(true, Some(interval));
+                (review, Player::exact_beside(&prepared))
+            },
+            || (other_direction(&prepared), self.gaps(&prepared)),
+        );
+        let report = Report::of_review(&prepared, Arc::new(review?)).with_other_direction(other);
+        Ok(Shown {
+            summary: report.summary(),
+            answer: report.first_screen(),
+            gaps: gaps?,
+            player: Player::of(&prepared, &report.review().outcome),
+            // An exact run that fails is told in the answer.
+            exact_um: exact.ok().flatten(),
+            knobs: drawn(&self.scene, &scene),
+        })
+    }
+
+    /// The gaps of a row and the widths that they need.
+    fn gaps(&self, prepared: &Simulation) -> Result<Vec<GapNeeds>, Error> {
+        let contacts = prepared.scene().contacts.as_deref().unwrap_or_default();
+        if contacts.is_empty() {
+            return Ok(Vec::new());
+        }
+        let [given, reversed] = self.widths(prepared)?;
+        let needs = given.into_iter().zip(reversed).map(|(given, reversed)| {
+            let gap_m = contacts.get(given.left).map(|one| one.gap_m);
+            GapNeeds {
+                left: given.left,
+                gap_m,
+                required_m: [given.required, reversed.required],
+                enough_mm: rounded_up(1e3 * given.required.max(reversed.required), 1),
+                is_enough: gap_m.is_some_and(|gap| !given.asks_for_more(gap) && !reversed.asks_for_more(gap)),
+            }
+        });
+        Ok(needs.collect())
+    }
+
+    /// The widths of a row. They depend neither on gaps nor on laws, so that turning these takes the last ones.
+    fn widths(&self, prepared: &Simulation) -> Result<Widths, Error> {
+        let row = prepared.scene().apart();
+        let row = Scene {
+            contacts: row.contacts.map(|all| all.into_iter().map(blank).collect()),
+            ..row
+        };
+        let known = || self.widths.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some((last, widths)) = &*known()
+            && *last == row
+        {
+            return Ok(widths.clone());
+        }
+        let mirrored = prepared.under(|record| record.scaled(-1.0))?;
+        let (given, reversed) = rayon::join(|| Separation::of(prepared), || Separation::of(&mirrored));
+        let widths = [given?, reversed?];
+        *known() = Some((row, widths.clone()));
+        Ok(widths)
+    }
+}
+
+/// A contact whose gap and law are those of every other one.
+fn blank(contact: Contact) -> Contact {
+    Contact {
+        gap_m: 0.0,
+        law: ContactLaw::Stereomechanical(Stereomechanical::default()),
+        ..contact
+    }
+}
+
+/// A scene as a program for Python.
+pub(super) fn python(scene: &Scene) -> String {
+    let mut text = String::from("# Run it in the folder of the scene's file.\nimport pounding\n\nscene = pounding.scene(");
+    literal(&serde_json::json!(scene), 0, &mut text);
+    text + ")\nrun = scene.run()\nprint(run.sentence)\nprint(run.pairs)\n"
+}
+
+/// Adds a value of JSON as Python writes it.
+fn literal(value: &Value, depth: usize, text: &mut String) {
+    let mut several = |ends: [char; 2], items: Vec<(String, &Value)>| {
+        text.push(ends[0]);
+        for (key, item) in &items {
+            text.extend(["\n", &"    ".repeat(depth + 1), key]);
+            literal(item, depth + 1, text);
+            text.push(',');
+        }
+        if !items.is_empty() {
+            text.extend(["\n", &"    ".repeat(depth)]);
+        }
+        text.push(ends[1]);
+    };
+    match value {
+        Value::Null => text.push_str("None"),
+        Value::Bool(truth) => text.push_str(if *truth { "True" } else { "False" }),
+        Value::Number(_) | Value::String(_) => text.push_str(&value.to_string()),
+        Value::Array(all) => several(['[', ']'], all.iter().map(|item| (String::new(), item)).collect()),
+        Value::Object(all) => several(
+            ['{', '}'],
+            all.iter()
+                .map(|(key, item)| (format!("{}: ", Value::from(key.as_str())), item))
+                .collect(),
+        ),
+    }
+}
