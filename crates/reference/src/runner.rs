@@ -126,13 +126,13 @@ impl Runner {
         let moved = &motion.segment.moved;
         for (index, pair) in motion.model.pairs.iter().enumerate() {
             let apart = matches!(motion.phases.pairs[index].contact, ContactPhase::Apart);
-            let size = pair.size(|floor| scales.sizes()[displacement(floor)]);
+            let size = pair.ends.size(|floor| scales.sizes()[displacement(floor)]);
             let distance = -state.high[pair.deformation];
             if apart && distance > FAR * size {
                 for (own, unknown, gap) in [(0, displacement as fn(usize) -> usize, pair.gap), (1, velocity, 0.0)] {
-                    let ahead = |state: &[f64]| pair.ahead(|floor| state[unknown(floor)]);
+                    let ahead = |state: &[f64]| pair.ends.ahead(|floor| state[unknown(floor)]);
                     let over_ground = ahead(&state.high) + ahead(&state.low);
-                    let [left, right] = pair.grounds().map(unknown);
+                    let [left, right] = pair.ends.grounds().map(unknown);
                     let closed = over_ground + moved.difference(left, right) - gap;
                     state.set(pair.deformation + own, closed);
                 }
@@ -349,7 +349,8 @@ impl Runner {
                 | Event::Clamp(_)
                 | Event::Grip(_)
                 | Event::Fade(_)
-                | Event::Stir(_) => {}
+                | Event::Stir(_)
+                | Event::Link(..) => {}
             }
         }
         if collides { self.collide(time) } else { self.rest(time) }
