@@ -102,7 +102,8 @@ impl Runner {
         self.motion.segment = segment;
         self.state.set(TIME, 0.0);
         self.n_events = 0;
-        if self.motion.rests() {
+        // A floor that only a link moves has no scale at first.
+        if self.motion.rests() || !self.motion.model.links.is_empty() {
             for &(start, rate) in &self.motion.segment.grounds {
                 self.scales.shake(start);
                 self.scales.shake(start + rate * length);
