@@ -28,7 +28,7 @@ pub(super) struct Block {
 impl Block {
     pub(super) fn new(model: &Model, pairs: Vec<usize>) -> Self {
         let floors: Vec<_> = (0..model.structures.len()).collect();
-        let part = |floor: usize, pair: usize| model.pairs[pair].part(floor);
+        let part = |floor: usize, pair: usize| model.pairs[pair].ends.part(floor);
         let by_floor = least(&mobility(model, &pairs), &matrix(&floors, &pairs, part));
         let inverse_mass = |floor: usize| model.structures[floor].inverse_mass;
         let leads = matrix(&floors, &floors, |floor, other| {
@@ -86,8 +86,8 @@ fn matrix(rows: &[usize], columns: &[usize], of: impl Fn(usize, usize) -> f64) -
 /// W = G M⁻¹ Gᵀ of some pairs \[1/kg\].
 pub(super) fn mobility(model: &Model, pairs: &[usize]) -> Matrix {
     let of = |one: usize, other: usize| {
-        let common = |(floor, part): (usize, f64)| part * model.pairs[other].part(floor) * model.structures[floor].inverse_mass;
-        model.pairs[one].parts().map(common).sum()
+        let common = |(floor, part): (usize, f64)| part * model.pairs[other].ends.part(floor) * model.structures[floor].inverse_mass;
+        model.pairs[one].ends.parts().map(common).sum()
     };
     matrix(pairs, pairs, of)
 }
@@ -184,8 +184,8 @@ fn eliminate(rows: &mut [Vec<f64>], weights: &[f64]) -> Vec<Option<usize>> {
 /// Groups of pairs that meet each other's floors. Walls do not connect pairs.
 pub(super) fn groups(model: &Model, pairs: &[usize]) -> Vec<Vec<usize>> {
     let depend = |one: usize, other: usize| {
-        let mut met = model.pairs[one].parts();
-        met.any(|(floor, _)| !model.is_wall(floor) && model.pairs[other].part(floor) != 0.0)
+        let mut met = model.pairs[one].ends.parts();
+        met.any(|(floor, _)| !model.is_wall(floor) && model.pairs[other].ends.part(floor) != 0.0)
     };
     let mut groups: Vec<Vec<usize>> = Vec::new();
     for &pair in pairs {

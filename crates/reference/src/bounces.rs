@@ -64,6 +64,7 @@ impl Runner {
             let model = &self.motion.model;
             let impulses = impact::collide(model, &mut self.state.high, groups, &outcomes);
             self.motion.phases.redirect(model, &self.state.high);
+            self.motion.redirect_links(&self.state.high);
             self.motion.grip_again(&self.state.high);
             let model = &self.motion.model;
             for &pair in touching {
@@ -97,8 +98,8 @@ impl Runner {
         }
         let pairs = &self.motion.model.pairs;
         let shares = |other: usize| {
-            let mut met = pairs[pair].parts();
-            other != pair && met.any(|(floor, _)| pairs[other].part(floor) != 0.0)
+            let mut met = pairs[pair].ends.parts();
+            other != pair && met.any(|(floor, _)| pairs[other].ends.part(floor) != 0.0)
         };
         let rests = |other: usize| matches!(self.motion.phases.pairs[other].contact, ContactPhase::Resting { .. });
         let mut others = touching.iter();

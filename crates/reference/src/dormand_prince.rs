@@ -154,7 +154,7 @@ mod tests {
             impact_damping_ratio: 0.0,
         };
         let pair = Pair::of_floors(0, 1, 0.0, ContactLaw::NonlinearViscoelastic(law));
-        let model = Model::new(&Row::new(nodes, vec![pair]).unwrap());
+        let model = Model::new(&Row::new(nodes, vec![pair]).unwrap()).unwrap();
         let mut phases = Phases::new(&model);
         phases.pairs[0].contact = ContactPhase::Restitution { rising: -1.0 };
         Equations {

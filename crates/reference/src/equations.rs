@@ -54,6 +54,14 @@ impl Segment {
         self.moved.difference(velocity(one), velocity(other)) + since * change
     }
 
+    /// Displacement of the ground under one structure relative to that under another, at a time since the start of the segment \[m\].
+    pub(super) fn farther(&self, [one, other]: [usize; 2], since: f64) -> f64 {
+        let [(of_one, rate_of_one), (of_other, rate_of_other)] = [one, other].map(|structure| self.grounds[structure]);
+        let bent = 0.5 * (of_one - of_other) + since / 6.0 * (rate_of_one - rate_of_other);
+        let faster = self.moved.difference(velocity(one), velocity(other)) + since * bent;
+        self.moved.difference(displacement(one), displacement(other)) + since * faster
+    }
+
     /// Ground acceleration under a structure, at a time since the start of the segment \[m/s²\].
     pub(super) fn ground(&self, structure: usize, since: f64) -> f64 {
         let (start, rate) = self.grounds[structure];
@@ -112,12 +120,13 @@ impl Equations {
                 let known = variable.deformation(index, position);
                 let deformation = known.unwrap_or_else(|| model.deformation(index, y));
                 force = self.pounding_force(index, deformation, model.rate(index, y));
-                for (floor, part) in pair.parts() {
+                for (floor, part) in pair.ends.parts() {
                     dy[velocity(floor)] -= part * force;
                 }
             }
             dy[model.impulse(index)] = force;
         }
+        self.pull(y, dy);
         // Converts forces to absolute accelerations.
         for (index, structure) in model.structures.iter().enumerate() {
             let slope = &mut dy[velocity(index)];
@@ -136,7 +145,7 @@ impl Equations {
             let [rate, closing] = if rests {
                 [0.0; 2]
             } else {
-                let closing = pair.ahead(|floor| dy[velocity(floor)]);
+                let closing = pair.ends.ahead(|floor| dy[velocity(floor)]);
                 [y[pair.deformation + 1], closing]
             };
             dy[pair.deformation] = rate;
@@ -209,7 +218,7 @@ impl Equations {
     pub(super) fn push(&self, structure: usize, slope: &[f64]) -> f64 {
         let mut push = 0.0;
         for (index, pair) in self.model.pairs.iter().enumerate() {
-            push -= pair.part(structure) * slope[self.model.impulse(index)];
+            push -= pair.ends.part(structure) * slope[self.model.impulse(index)];
         }
         push
     }
@@ -218,7 +227,7 @@ impl Equations {
     pub(super) fn is_between(&self, structure: usize) -> bool {
         let from = |side: f64| {
             let mut pairs = self.model.pairs.iter().zip(&self.phases.pairs);
-            pairs.any(|(pair, phase)| phase.contact.touches() && side * pair.part(structure) > 0.0)
+            pairs.any(|(pair, phase)| phase.contact.touches() && side * pair.ends.part(structure) > 0.0)
         };
         from(1.0) && from(-1.0)
     }

@@ -33,6 +33,12 @@ pub enum SecondRouteError {
         /// The limit.
         limit: usize,
     },
+    /// A viscous damper without a brace: its force has no rate where its deformation stops.
+    #[error("second route: links[{link}] is a viscous damper without a brace; give it a brace")]
+    NoBrace {
+        /// Place of the link in the row, from 0.
+        link: usize,
+    },
     /// Too many connected impulsive pairs touch at the same time. Every subset of them is tried, so their number is limited.
     #[error(
         "second route: {found} impulsive pairs touch at t = {time} s and meet floors of each other, allowed are {limit}; give some of them a gap or a compliant law"

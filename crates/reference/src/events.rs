@@ -4,6 +4,7 @@ use pounding_contact::SLOWEST_APPROACH;
 
 use super::equations::{Equations, NOW};
 use super::law::Law;
+use super::links::Change;
 use super::model::{TIME, velocity};
 use super::phases::ContactPhase;
 use super::storey::Branch;
@@ -42,6 +43,8 @@ pub(super) enum Event {
     Fade(usize),
     /// A pair at rest without a force would close or open.
     Stir(usize),
+    /// A link changes.
+    Link(usize, Change),
 }
 
 /// Lists the events that the present phases allow while a step runs in a variable.
@@ -104,6 +107,10 @@ pub(super) fn list(motion: &Equations, variable: Variable, events: &mut Vec<Even
             ContactPhase::Resting { presses: false, .. } => events.push(Event::Stir(index)),
         }
     }
+    for (index, link) in motion.model.links.iter().enumerate() {
+        let changes = motion.phases.links[index].changes(link);
+        events.extend(changes.into_iter().flatten().map(|change| Event::Link(index, change)));
+    }
 }
 
 impl Event {
@@ -154,12 +161,16 @@ impl Event {
                 scratch[model.impulse(pair)]
             }
             Self::Stir(pair) => motion.idles(pair, y, scratch),
+            Self::Link(link, change) => motion.before_change(link, change, y),
         }
     }
 
-    /// Whether its function is a velocity: two changes of sign in a step then show in the middle.
+    /// Whether its function is a velocity or the force of a damper: two changes of sign in a step then show in the middle.
     pub(super) fn is_reversal(self) -> bool {
-        matches!(self, Self::Turn(_) | Self::DriftTurn(_) | Self::Reversal(_))
+        matches!(
+            self,
+            Self::Turn(_) | Self::DriftTurn(_) | Self::Reversal(_) | Self::Link(_, Change::Turns | Change::Crosses)
+        )
     }
 
     /// Changes the phases by the event. Touches and rest of impulsive pairs are decided afterwards.
@@ -172,6 +183,7 @@ impl Event {
             Self::DriftTurn(structure) => phases.turn_drift(structure, model, y),
             Self::Yield(structure) => motion.yields(structure, y),
             Self::Straight(structure) => phases.straighten(structure),
+            Self::Link(link, change) => motion.change_link(link, change, y),
             Self::Balance(structure) => {
                 let push = &mut phases.structures[structure].push;
                 *push = push.map(|sign| -sign);

@@ -107,7 +107,7 @@ fn jump(model: &Model, y: &mut [f64], group: &[usize], turns: &[Turn]) -> Vec<(u
     let impulses = answer(model, turns);
     let before: Vec<_> = group.iter().map(|&pair| model.rate(pair, y)).collect();
     for (turn, &impulse) in turns.iter().zip(&impulses) {
-        for (floor, part) in model.pairs[turn.pair].parts() {
+        for (floor, part) in model.pairs[turn.pair].ends.parts() {
             let gained = part * impulse * model.structures[floor].inverse_mass;
             model.push(floor, -gained, y);
         }

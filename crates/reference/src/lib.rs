@@ -39,6 +39,7 @@
 //! - The deformation of a pair and its rate are unknowns of their own. Small bounces therefore stay accurate. The elastic part of the drift
 //!   of Bouc–Wen columns is an unknown, too. For a travelling ground motion the record is integrated exactly to the velocities and
 //!   displacements of the grounds.
+//! - The force of a damper with a brace is an unknown. All other links have a force by their deformation, its rate and their branch.
 //! - When the bounces of a stereomechanical pair have ended, its floors stay in contact until their contact force falls to 0.
 //!
 //! This crate is not fast and has no recorders; `pounding-solver` is and does. Scenes are in `pounding-scene`. `second_route` in
@@ -50,11 +51,13 @@ mod arrivals;
 mod block;
 mod bounces;
 mod dormand_prince;
+mod ends;
 mod equations;
 mod error;
 mod events;
 mod impact;
 mod law;
+mod links;
 mod model;
 mod phases;
 mod plan;
@@ -117,7 +120,7 @@ impl Fineness {
 ///
 /// # Errors
 /// Returns [`SecondRouteError`] if a setting is out of range, the motion is no longer finite, no step meets the tolerance, a segment has
-/// too many events, or too many impulsive pairs touch at once.
+/// too many events, too many impulsive pairs touch at once, or a link is a viscous damper without a brace.
 pub fn run<Column: Hysteretic>(
     row: &Row<Column>,
     excitation: Excitation<'_>,
@@ -133,7 +136,7 @@ pub fn run<Column: Hysteretic>(
         });
     }
     let interval = excitation.time_step();
-    let model = Model::new(row);
+    let model = Model::new(row)?;
     let arrivals: Vec<_> = model.structures.iter().map(|one| one.arrival).collect();
     let mut runner = Runner::new(model, fineness, interval);
     for segment in Segments::new(excitation, arrivals, duration) {

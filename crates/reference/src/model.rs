@@ -1,14 +1,18 @@
 //! The row as plain numbers, and their places in the vector of unknowns.
 
-use pounding_solver::{Hysteretic, Node, Pair, Point, Row, Share, Support};
+use pounding_solver::{Hysteretic, Node, Pair, Row, Support};
 
+use super::SecondRouteError;
+use super::ends::Ends;
 use super::law::Law;
+use super::links::Link;
 use super::storey::{Smooth, StoreyColumns};
 
 /// Index in the vector of unknowns of the time within the present segment of the record \[s\].
 ///
 /// Displacement and velocity of each structure follow, then the impulse of the present collision of each pair. The deformation and its rate
-/// of each pair are next. The elastic part of the drift of each storey with smoothly yielding columns is last.
+/// of each pair are next. The elastic part of the drift of each storey with smoothly yielding columns follows, then the force of each link
+/// that flows.
 ///
 /// A deformation is a separate unknown, because a difference of displacements would lose the digits of small bounces.
 pub(super) const TIME: usize = 0;
@@ -26,13 +30,13 @@ pub(super) fn velocity(structure: usize) -> usize {
 /// The row as plain numbers.
 #[derive(Debug, Clone)]
 pub(super) struct Model {
-    /// Structures of the row, then, as walls, the grounds of points between a ground and a first floor.
+    /// Structures of the row, then, as walls, the grounds of points on a ground or between a ground and a first floor.
     pub structures: Vec<Structure>,
     /// Number of nodes of the row.
     pub n_nodes: usize,
     pub pairs: Vec<Neighbours>,
-    /// Number of storeys with columns that yield smoothly.
-    n_smooth: usize,
+    pub links: Vec<Link>,
+    n_unknowns: usize,
 }
 
 /// A floor with the storey below it, or a wall with inverse mass 0.
@@ -41,6 +45,8 @@ pub(super) struct Structure {
     pub inverse_mass: f64,
     /// Floor on which the storey stands; `None` on the ground.
     pub below: Option<usize>,
+    /// The lowest of the floors that move each other through storeys and links.
+    pub body: usize,
     /// Damping coefficient of the storey \[N·s/m\].
     pub damping: f64,
     /// What yielding takes of it \[N·s/m\].
@@ -54,33 +60,10 @@ pub(super) struct Structure {
     pub initial_velocity: f64,
 }
 
-/// A point with a part `lean` of the far floor's motion and the rest of the near floor's motion. On a floor both are this floor.
-#[derive(Debug, Clone, Copy)]
-struct Spot {
-    near: usize,
-    far: usize,
-    lean: f64,
-}
-
-impl Spot {
-    /// Value at the point of a quantity of floors; exactly that of the floors if they agree.
-    fn of(self, quantity: impl Fn(usize) -> f64) -> f64 {
-        let near = quantity(self.near);
-        near + self.lean * (quantity(self.far) - near)
-    }
-
-    /// Parts of a force on the point that the floors carry.
-    fn parts(self) -> impl Iterator<Item = (usize, f64)> {
-        let parts = [(self.near, 1.0 - self.lean), (self.far, self.lean)];
-        parts.into_iter().filter(|(_, part)| *part > 0.0)
-    }
-}
-
 /// Two points that can touch.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Neighbours {
-    left: Spot,
-    right: Spot,
+    pub ends: Ends,
     pub gap: f64,
     /// Index of the deformation in the vector of unknowns, followed by its rate.
     pub deformation: usize,
@@ -88,81 +71,56 @@ pub(super) struct Neighbours {
     pub law: Law,
 }
 
-impl Neighbours {
-    /// Left point minus right point, in a quantity of floors.
-    pub(super) fn ahead(&self, quantity: impl Fn(usize) -> f64) -> f64 {
-        self.left.of(&quantity) - self.right.of(&quantity)
-    }
-
-    /// Parts of floors and walls in the rate of deformation. A force pushes each by its part, with opposite sign.
-    pub(super) fn parts(&self) -> impl Iterator<Item = (usize, f64)> {
-        let right = self.right.parts().map(|(floor, part)| (floor, -part));
-        self.left.parts().chain(right)
-    }
-
-    /// The part of a floor; 0 if the pair does not meet it.
-    pub(super) fn part(&self, floor: usize) -> f64 {
-        let parts = self.parts().filter(|(met, _)| *met == floor);
-        parts.fold(0.0, |sum, (_, part)| sum + part)
-    }
-
-    /// Size of the terms of the difference, from the sizes of the quantity at floors.
-    pub(super) fn size(&self, sizes: impl Fn(usize) -> f64) -> f64 {
-        self.parts().map(|(floor, part)| part.abs() * sizes(floor)).sum()
-    }
-
-    /// A floor or wall on the ground of the left point, and another on that of the right point.
-    pub(super) fn grounds(&self) -> [usize; 2] {
-        [self.left.near, self.right.near]
-    }
-}
-
 impl Model {
-    pub(super) fn new<Column: Hysteretic>(row: &Row<Column>) -> Self {
+    /// # Errors
+    /// A link has a law that this program does not integrate.
+    pub(super) fn new<Column: Hysteretic>(row: &Row<Column>) -> Result<Self, SecondRouteError> {
         let nodes = row.nodes().iter().enumerate();
-        let mut structures: Vec<_> = nodes.map(|(index, node)| structure(node, row.arrival(index))).collect();
+        let mut structures: Vec<_> = nodes.map(|(index, node)| structure(node, index, row.arrival(index))).collect();
         let n_nodes = structures.len();
-        let spots = |pair: &Pair| {
-            let points = [pair.relation.left, pair.relation.right];
-            points.map(|point| spot(point, &mut structures))
-        };
-        let spots: Vec<_> = row.pairs().iter().map(spots).collect();
+        let sides = row.pairs().iter().map(|pair| Ends::new(pair.relation, &mut structures));
+        let sides: Vec<_> = sides.collect();
         let n_pairs = row.pairs().len();
+        let links = row.links().iter().enumerate();
+        let links: Result<Vec<_>, _> = links.map(|(index, link)| Link::new(index, link, &mut structures)).collect();
+        let mut links = links?;
         let of_pairs = 1 + 2 * structures.len() + n_pairs;
-        let first = of_pairs + 2 * n_pairs;
-        let mut next = first;
+        let mut next = of_pairs + 2 * n_pairs;
         for structure in &mut structures {
             if let Some(Smooth { unknown, .. }) = &mut structure.columns.smooth {
                 *unknown = next;
                 next += 1;
             }
         }
-        let neighbours = |(index, (pair, [left, right])): (usize, (&Pair, [Spot; 2]))| {
-            let parts = left.parts().chain(right.parts());
+        for link in &mut links {
+            next += link.number(next);
+        }
+        unite(&mut structures, &links);
+        let neighbours = |(index, (pair, ends)): (usize, (&Pair, Ends))| {
             let mobility = |(floor, part): (usize, f64)| part * part * structures[floor].inverse_mass;
-            let reduced_mass = 1.0 / parts.map(mobility).sum::<f64>();
+            let reduced_mass = 1.0 / ends.parts().map(mobility).sum::<f64>();
             Neighbours {
-                left,
-                right,
+                ends,
                 gap: pair.relation.offset,
                 deformation: of_pairs + 2 * index,
                 reduced_mass,
                 law: Law::of(pair.law, reduced_mass),
             }
         };
-        let pairs = row.pairs().iter().zip(spots).enumerate();
+        let pairs = row.pairs().iter().zip(sides).enumerate();
         let pairs = pairs.map(neighbours).collect();
-        Self {
+        Ok(Self {
             pairs,
+            links,
             n_nodes,
-            n_smooth: next - first,
+            n_unknowns: next,
             structures,
-        }
+        })
     }
 
     /// Number of unknowns.
     pub(super) fn n_unknowns(&self) -> usize {
-        1 + 2 * self.structures.len() + 3 * self.pairs.len() + self.n_smooth
+        self.n_unknowns
     }
 
     /// Index of the impulse of a pair's present collision in the vector of unknowns.
@@ -207,8 +165,8 @@ impl Model {
     /// Deformation of a pair \[m\] and its rate \[m/s\] at t = 0, when grounds are at rest.
     pub(super) fn initial_deformation(&self, pair: &Neighbours) -> [f64; 2] {
         [
-            pair.ahead(|floor| self.structures[floor].initial_displacement) - pair.gap,
-            pair.ahead(|floor| self.structures[floor].initial_velocity),
+            pair.ends.ahead(|floor| self.structures[floor].initial_displacement) - pair.gap,
+            pair.ends.ahead(|floor| self.structures[floor].initial_velocity),
         ]
     }
 
@@ -220,44 +178,36 @@ impl Model {
     pub(super) fn push(&self, structure: usize, gained: f64, unknowns: &mut [f64]) {
         unknowns[velocity(structure)] += gained;
         for pair in &self.pairs {
-            unknowns[pair.deformation + 1] += pair.part(structure) * gained;
+            unknowns[pair.deformation + 1] += pair.ends.part(structure) * gained;
         }
     }
 }
 
-/// A point of the row; a ground that it shares becomes another wall.
-fn spot(point: Point, structures: &mut Vec<Structure>) -> Spot {
-    let (near, far, lean) = match point {
-        Point::Floor(floor) => (Some(floor), Some(floor), 0.0),
-        Point::Share(Share { base, other, lean }) => (base, other, lean),
-        Point::Ground(_) => (None, None, 0.0),
-    };
-    let floor = point.floor();
-    let mut or_ground = |met: Option<usize>| {
-        met.unwrap_or_else(|| {
-            let carried = structures[floor];
-            structures.push(Structure {
-                inverse_mass: 0.0,
-                below: None,
-                columns: StoreyColumns {
-                    smooth: None,
-                    ..carried.columns
-                },
-                initial_displacement: 0.0,
-                initial_velocity: 0.0,
-                ..carried
-            });
-            structures.len() - 1
-        })
-    };
-    Spot {
-        near: or_ground(near),
-        far: or_ground(far),
-        lean,
+/// Finds the body of every structure.
+fn unite(structures: &mut [Structure], links: &[Link]) {
+    let storeys = structures
+        .iter()
+        .enumerate()
+        .filter_map(|(floor, structure)| Some([floor, structure.below?]));
+    let mut joined: Vec<_> = storeys.collect();
+    for link in links {
+        let moving = link
+            .ends
+            .parts()
+            .map(|(floor, _)| floor)
+            .filter(|floor| structures[*floor].inverse_mass > 0.0);
+        let moving: Vec<_> = moving.collect();
+        joined.extend(moving.windows(2).map(|two| [two[0], two[1]]));
+    }
+    for [one, other] in joined {
+        let bodies = [structures[one].body, structures[other].body];
+        for structure in structures.iter_mut().filter(|structure| bodies.contains(&structure.body)) {
+            structure.body = bodies[0].min(bodies[1]);
+        }
     }
 }
 
-fn structure<Column: Hysteretic>(node: &Node<Column>, arrival: f64) -> Structure {
+fn structure<Column: Hysteretic>(node: &Node<Column>, index: usize, arrival: f64) -> Structure {
     let (below, ground_damping) = match node.support {
         Support::Ground => (None, 0.0),
         Support::Floor(floor) => (Some(floor.below), floor.ground_damping),
@@ -265,6 +215,7 @@ fn structure<Column: Hysteretic>(node: &Node<Column>, arrival: f64) -> Structure
     Structure {
         inverse_mass: node.inverse_mass,
         below,
+        body: index,
         damping: node.damping,
         elastic_damping: node.elastic_damping,
         ground_damping,

@@ -3,14 +3,16 @@
 use pounding_contact::SLOWEST_APPROACH;
 
 use super::law::Law;
+use super::links::LinkPhase;
 use super::model::{Model, velocity};
 use super::storey::{Branch, sign};
 
-/// Phases of all structures and pairs.
+/// Phases of all structures, pairs and links.
 #[derive(Debug, Clone)]
 pub(super) struct Phases {
     pub structures: Vec<StructurePhase>,
     pub pairs: Vec<PairPhase>,
+    pub links: Vec<LinkPhase>,
 }
 
 #[derive(Debug, Clone, Copy)]
@@ -114,6 +116,7 @@ impl Phases {
         Self {
             structures: model.structures.iter().map(structure).collect(),
             pairs: model.pairs.iter().map(pair).collect(),
+            links: model.links.iter().map(|link| LinkPhase::new(link, model)).collect(),
         }
     }
 

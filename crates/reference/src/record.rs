@@ -119,7 +119,7 @@ impl Record {
             let mut net = 0.0;
             for (index, pair) in motion.model.pairs.iter().enumerate() {
                 let impulse = motion.model.impulse(index);
-                net -= pair.part(structure) * (to[impulse] - from[impulse]);
+                net -= pair.ends.part(structure) * (to[impulse] - from[impulse]);
             }
             response.transferred_momentum += net.abs();
         }
@@ -176,7 +176,7 @@ impl Record {
         for (structure, response) in self.response.structures.iter_mut().enumerate() {
             let on_it = impacts
                 .iter()
-                .map(|&(index, impulse)| -motion.model.pairs[index].part(structure) * impulse);
+                .map(|&(index, impulse)| -motion.model.pairs[index].ends.part(structure) * impulse);
             let net = &mut self.net[structure];
             response.transferred_momentum -= net.abs();
             *net += on_it.sum::<f64>();

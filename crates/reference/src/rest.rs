@@ -89,7 +89,15 @@ impl Equations {
             let force = self
                 .pounding_force(index, self.model.deformation(index, y), self.model.rate(index, y))
                 .abs();
-            for (floor, part) in pair.parts() {
+            for (floor, part) in pair.ends.parts() {
+                forces[floor] += part.abs() * force;
+            }
+        }
+        for (index, link) in self.model.links.iter().enumerate() {
+            let [stiffness, damping] = link.rates();
+            let size = |unknown: fn(usize) -> usize| link.ends.size(|floor| y[unknown(floor)].abs());
+            let force = stiffness * size(displacement) + damping * size(velocity) + self.link_force(index, y).abs();
+            for (floor, part) in link.ends.parts() {
                 forces[floor] += part.abs() * force;
             }
         }
@@ -106,8 +114,8 @@ impl Equations {
     /// Closing acceleration of a pair that is not at rest \[m/s²\]; `slope` is the derivative of the unknowns.
     pub(super) fn closing(&self, pair: usize, y: &[f64], slope: &[f64]) -> f64 {
         let neighbours = self.model.pairs[pair];
-        let [left, right] = neighbours.grounds().map(|one| self.segment.ground(one, y[TIME]));
-        neighbours.ahead(|floor| slope[velocity(floor)]) + (left - right)
+        let [left, right] = neighbours.ends.grounds().map(|one| self.segment.ground(one, y[TIME]));
+        neighbours.ends.ahead(|floor| slope[velocity(floor)]) + (left - right)
     }
 
     /// Closing accelerations of pairs while a block presses, and their rounding \[m/s²\].
@@ -117,8 +125,8 @@ impl Equations {
         let accelerations = block.accelerations(identity, without);
         let terms = block.accelerations(f64::abs, terms);
         let closing = |pair: &Neighbours| {
-            let rounding = IDLE * pair.size(|floor| terms[floor]);
-            [pair.ahead(|floor| accelerations[floor]), rounding]
+            let rounding = IDLE * pair.ends.size(|floor| terms[floor]);
+            [pair.ends.ahead(|floor| accelerations[floor]), rounding]
         };
         self.model.pairs.iter().map(closing).collect()
     }

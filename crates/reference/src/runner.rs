@@ -102,7 +102,8 @@ impl Runner {
         self.motion.segment = segment;
         self.state.set(TIME, 0.0);
         self.n_events = 0;
-        if self.motion.rests() {
+        // A floor that only a link moves has no scale at first.
+        if self.motion.rests() || !self.motion.model.links.is_empty() {
             for &(start, rate) in &self.motion.segment.grounds {
                 self.scales.shake(start);
                 self.scales.shake(start + rate * length);
@@ -126,13 +127,13 @@ impl Runner {
         let moved = &motion.segment.moved;
         for (index, pair) in motion.model.pairs.iter().enumerate() {
             let apart = matches!(motion.phases.pairs[index].contact, ContactPhase::Apart);
-            let size = pair.size(|floor| scales.sizes()[displacement(floor)]);
+            let size = pair.ends.size(|floor| scales.sizes()[displacement(floor)]);
             let distance = -state.high[pair.deformation];
             if apart && distance > FAR * size {
                 for (own, unknown, gap) in [(0, displacement as fn(usize) -> usize, pair.gap), (1, velocity, 0.0)] {
-                    let ahead = |state: &[f64]| pair.ahead(|floor| state[unknown(floor)]);
+                    let ahead = |state: &[f64]| pair.ends.ahead(|floor| state[unknown(floor)]);
                     let over_ground = ahead(&state.high) + ahead(&state.low);
-                    let [left, right] = pair.grounds().map(unknown);
+                    let [left, right] = pair.ends.grounds().map(unknown);
                     let closed = over_ground + moved.difference(left, right) - gap;
                     state.set(pair.deformation + own, closed);
                 }
@@ -350,7 +351,8 @@ impl Runner {
                 | Event::Clamp(_)
                 | Event::Grip(_)
                 | Event::Fade(_)
-                | Event::Stir(_) => {}
+                | Event::Stir(_)
+                | Event::Link(..) => {}
             }
         }
         if collides { self.collide(time) } else { self.rest(time) }

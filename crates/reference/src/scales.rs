@@ -45,7 +45,7 @@ impl Scales {
     /// Largest speed so far of the structures of a pair, summed, or of their grounds relative to each other \[m/s\].
     fn speed(&self, model: &Model, pair: usize) -> f64 {
         let neighbours = model.pairs[pair];
-        let speed = neighbours.size(|floor| self.largest[velocity(floor)]);
+        let speed = neighbours.ends.size(|floor| self.largest[velocity(floor)]);
         speed.max(self.largest[neighbours.deformation + 1])
     }
 
@@ -66,7 +66,7 @@ impl Scales {
             self.sizes[model.impulse(index)] = momentum;
             // A structure that its first collision sets in motion has no scale yet. Relative to the structure itself, the error of a motion
             // that begins like a high power of the variable is the same in every step, however short.
-            for (structure, part) in pair.parts() {
+            for (structure, part) in pair.ends.parts() {
                 let gained = momentum * (part.abs() * model.structures[structure].inverse_mass);
                 let size = &mut self.sizes[velocity(structure)];
                 *size = size.max(gained);
@@ -90,21 +90,28 @@ impl Scales {
             *largest = largest.max(y[smooth.unknown].abs());
             self.sizes[smooth.unknown] = largest.max(moved);
         }
+        for link in &model.links {
+            if let Some(force) = link.unknown() {
+                let moved = link.ends.size(|floor| self.sizes[velocity(floor)]) * self.longest_step;
+                let largest = &mut self.largest[force];
+                *largest = largest.max(y[force].abs());
+                self.sizes[force] = largest.max(link.rates()[0] * moved);
+            }
+        }
     }
 
-    /// Gives all floors of a building the largest of their scales.
+    /// Gives all floors of a body the largest of their scales.
     ///
     /// Drifts are differences of displacements. A floor set in motion by the floor below begins to move like a higher power of time than a
     /// structure that is hit.
     fn share(&mut self, model: &Model, unknown: fn(usize) -> usize) {
-        let storeys = || (0..model.structures.len()).filter_map(|index| Some((index, model.structures[index].below?)));
-        for (floor, below) in storeys().rev() {
-            let size = self.sizes[unknown(floor)];
-            let carrier = &mut self.sizes[unknown(below)];
-            *carrier = carrier.max(size);
+        let mut largest = vec![0.0_f64; model.structures.len()];
+        for (floor, structure) in model.structures.iter().enumerate() {
+            let of_body = &mut largest[structure.body];
+            *of_body = of_body.max(self.sizes[unknown(floor)]);
         }
-        for (floor, below) in storeys() {
-            self.sizes[unknown(floor)] = self.sizes[unknown(below)];
+        for (floor, structure) in model.structures.iter().enumerate() {
+            self.sizes[unknown(floor)] = largest[structure.body];
         }
     }
 }

@@ -5,6 +5,7 @@ mod exact;
 mod impacts;
 mod laws;
 mod limits;
+mod links;
 mod loops;
 mod opensees;
 mod relations;

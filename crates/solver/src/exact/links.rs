@@ -43,6 +43,8 @@ struct Line {
     origin: f64,
     /// h at the start of the piece \[N\].
     force: f64,
+    /// Elongation beyond the origin at the start of the piece \[m\]; < 0 while a restrainer is slack.
+    stretch: f64,
 }
 
 /// A braced damper: its force at the start of the piece \[N\], and series of the part |F|/c and its powers.
@@ -73,6 +75,8 @@ pub(super) struct LinkState {
     /// The rate of deformation is zero at this instant; the force has an extremum.
     turned: bool,
     peaked: bool,
+    /// Magnitude of the terms of the rate \[m/s\], if the link stopped yielding at this instant.
+    still: Option<f64>,
     /// Deformation, its rate and the force, in the variable of the body.
     deformation: [f64; CAPACITY],
     rate: [f64; CAPACITY],
@@ -129,6 +133,7 @@ impl Law {
             branch: Branch::Elastic,
             origin: 0.0,
             force: 0.0,
+            stretch: 0.0,
         };
         Some(match law {
             LinkLaw::Spring(spring) => {
@@ -165,6 +170,22 @@ impl Law {
 }
 
 impl Line {
+    /// Takes the deformation at t = 0 \[m\].
+    fn begin(&mut self, deformation: f64) {
+        self.stretch = self.origin - deformation;
+        if self.branch == Branch::Slack && self.stretch <= 0.0 {
+            return;
+        }
+        self.branch = Branch::Elastic;
+        let force = self.stiffness * (deformation - self.origin);
+        let [lower, upper] = self.limits;
+        self.force = force.clamp(lower, upper);
+        let excess = force - self.force;
+        if excess != 0.0 {
+            self.origin += excess / self.stiffness;
+        }
+    }
+
     /// h at a deformation on the present branch.
     fn at(&self, deformation: f64) -> f64 {
         match self.branch {
@@ -185,7 +206,7 @@ impl Line {
         match branch {
             Branch::Upper => self.force = self.limits[1],
             Branch::Lower => self.force = self.limits[0],
-            Branch::Slack => (self.force, self.origin) = (0.0, deformation),
+            Branch::Slack => (self.force, self.origin, self.stretch) = (0.0, deformation, 0.0),
             Branch::Elastic if self.branch == Branch::Slack => self.force = 0.0,
             Branch::Elastic => self.origin = deformation - self.force / self.stiffness,
         }
@@ -225,7 +246,10 @@ impl LinkState {
     /// The links of a row; an error for a law without a series.
     pub(super) fn of<Column: RestoringForce>(row: &Row<Column>) -> Result<Vec<Self>, RunError> {
         let state = |(index, link): (usize, &Link)| {
-            let law = Law::new(link.law).ok_or(RunError::LinkWithoutSeries { link: index })?;
+            let mut law = Law::new(link.law).ok_or(RunError::LinkWithoutSeries { link: index })?;
+            if let Law::Line(line) = &mut law {
+                line.begin(link.relation.ahead(|node| row.nodes()[node].initial_displacement));
+            }
             let points = link.relation.points();
             let [first, last] = points.map(|point| row.arrival(point.floor()));
             Ok(Self {
@@ -235,6 +259,7 @@ impl LinkState {
                 apart: first.total_cmp(&last).is_ne(),
                 turned: false,
                 peaked: false,
+                still: None,
                 deformation: [0.0; CAPACITY],
                 rate: [0.0; CAPACITY],
                 force: [0.0; CAPACITY],
@@ -322,7 +347,7 @@ impl LinkState {
 
     /// Ends yielding if the motion leads back; true if it did.
     pub(super) fn turns_back(&mut self, members: &[Member], p: usize, len: usize) -> bool {
-        let leads = (0..len).find(|n| self.rate[*n].abs() > self.noise(members, p, *n));
+        let leads = Some(self.standstill(members, p, len)).filter(|n| *n < len);
         let Law::Line(line) = &mut self.law else {
             return false;
         };
@@ -331,6 +356,18 @@ impl LinkState {
             line.go_to(Branch::Elastic, self.deformation[0]);
         }
         turns
+    }
+
+    /// Number of leading coefficients of the rate that are rounding.
+    fn standstill(&self, members: &[Member], p: usize, len: usize) -> usize {
+        let speed = |node: usize| members[node].state.velocity.abs();
+        let [left, right] = self.relation.points();
+        let start = self
+            .still
+            .map_or(0.0, |terms| STILL * (terms + weighed(left, speed) + weighed(right, speed)));
+        let rounding = |n: usize| if n == 0 { start } else { self.noise(members, p, n) };
+        let is_noise = |n: &usize| self.rate[*n].abs() <= rounding(*n);
+        (0..len).take_while(is_noise).count()
     }
 
     /// Rounding of coefficient `n` of the rate.
@@ -343,6 +380,9 @@ impl LinkState {
     /// Searches for the instants at which the link changes its branch.
     pub(super) fn watch(&self, watch: &mut Watch, link: usize, members: &[Member], p: usize, len: usize) {
         self.watch_extremes(watch, link, len);
+        // A link that has just turned or let go is at a limit: the rounding of its rate would lead it beyond.
+        let known = self.standstill(members, p, len);
+        let deformation = |n: usize| if n < known + p { 0.0 } else { self.deformation[n] };
         let line = match &self.law {
             Law::Line(line) => line,
             Law::Flow(flow) => {
@@ -357,7 +397,7 @@ impl LinkState {
                 let beyond = |limit: f64, sign: f64| {
                     move |n: usize| match n {
                         0 => sign * (line.force - limit),
-                        _ => sign * (line.stiffness * self.deformation[n]),
+                        _ => sign * (line.stiffness * deformation(n)),
                     }
                 };
                 let [lower, upper] = line.limits;
@@ -370,14 +410,13 @@ impl LinkState {
                 }
             }
             Branch::Upper | Branch::Lower => {
-                let known = (0..len).take_while(|n| self.rate[*n].abs() <= self.noise(members, p, *n)).count();
                 let rate = |n: usize| if n < known { 0.0 } else { self.rate[n] };
                 watch.change_of(len, false, rate, Event::Link(link, Branch::Elastic));
             }
             Branch::Slack => {
                 let pull = |n: usize| match n {
-                    0 => line.origin - self.deformation[0],
-                    _ => -self.deformation[n],
+                    0 => line.stretch,
+                    _ => -deformation(n),
                 };
                 watch.rise(len, pull, Event::Link(link, Branch::Elastic));
             }
@@ -402,11 +441,11 @@ impl LinkState {
     /// Takes the state at x, the end of a piece. `later` says whether the clock of the recorders has advanced.
     pub(super) fn land(&mut self, len: usize, x: f64, later: bool) {
         if later {
-            (self.turned, self.peaked) = (false, false);
+            (self.turned, self.peaked, self.still) = (false, false, None);
         }
         let deformation = value(&self.deformation[..len], x);
         match &mut self.law {
-            Law::Line(line) => line.force = line.at(deformation),
+            Law::Line(line) => (line.force, line.stretch) = (line.at(deformation), line.origin - deformation),
             Law::Flow(flow) => flow.force = value(&self.force[..len], x),
         }
     }
@@ -415,6 +454,10 @@ impl LinkState {
     pub(super) fn go_to(&mut self, branch: Branch, len: usize, x: f64) {
         let deformation = value(&self.deformation[..len], x);
         if let Law::Line(line) = &mut self.law {
+            if branch == Branch::Elastic && line.branch != Branch::Slack {
+                let terms = self.rate[..len].iter().rev();
+                self.still = Some(terms.fold(0.0, |sum, term| sum * x + term.abs()));
+            }
             line.go_to(branch, deformation);
         }
     }
@@ -475,6 +518,9 @@ impl LinkState {
         small && (power - ends[1]).abs() <= rounding.max(tolerance)
     }
 }
+
+/// Rounding of the rate of a link that has just stopped yielding, as a part of its terms.
+const STILL: f64 = 64.0 * f64::EPSILON;
 
 /// Part of a force, or a rate of flow \[m/s\], that counts as zero.
 const NOTHING: f64 = 1e-20;

@@ -134,7 +134,7 @@ fn changed(scene: &Scene, change: f64, index: usize, largest: f64) -> Scene {
         let is_choice = CHOICES.contains(&number);
         if is_choice { number } else { number * factor() }
     };
-    rewritten(&scene, &["structures", "contacts", "arrivals_s"], &mut each)
+    rewritten(&scene, &["structures", "contacts", "arrivals_s", "links"], &mut each)
 }
 
 /// Numbers that stay, because they may mean a choice: zero, Bouc–Wen columns that unload along a straight line, impacts without loss.

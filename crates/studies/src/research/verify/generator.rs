@@ -5,6 +5,7 @@
 use std::f64::consts::PI;
 
 use super::contacts;
+use super::links;
 use super::random::Random;
 use super::written::rewritten;
 use pounding_scene::file::Stochastic;
@@ -43,17 +44,25 @@ pub(super) fn scene(seed: u64, index: usize) -> Scene {
         budget: RunBudget::default(),
         seeks_gaps: false,
     };
-    let scene = if index >= FIRST_BESIDE_COLUMNS && index.is_multiple_of(3) {
-        beside_columns(seed, index, scene)
-    } else {
-        scene
+    let scene = match index % 3 {
+        0 if index >= FIRST_WITH_MORE => beside_columns(seed, index, scene),
+        1 if index >= FIRST_WITH_MORE => linked(seed, index, scene),
+        _ => scene,
     };
-    let all = ["record", "duration_s", "arrivals_s", "structures", "contacts"];
+    let all = ["record", "duration_s", "arrivals_s", "structures", "contacts", "links"];
     rewritten(&scene, &all, &mut in_few_digits)
 }
 
-/// From this number on a third of the scenes has floors beside columns; earlier scenes are known by their numbers.
-const FIRST_BESIDE_COLUMNS: usize = 1000;
+/// From this number on a third of the scenes has floors beside columns, and another third has links; earlier scenes are known by their
+/// numbers.
+const FIRST_WITH_MORE: usize = 1000;
+
+/// The scene with links.
+fn linked(seed: u64, index: usize, scene: Scene) -> Scene {
+    let mut random = Random::new(!seed, index);
+    let links = links::all(&mut random, &scene.structures);
+    Scene { links, ..scene }
+}
 
 /// The scene with storeys of any height, so that floors face columns.
 fn beside_columns(seed: u64, index: usize, scene: Scene) -> Scene {

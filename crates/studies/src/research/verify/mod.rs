@@ -13,6 +13,7 @@ mod compared;
 mod condition;
 mod contacts;
 mod generator;
+mod links;
 mod numbers;
 mod random;
 mod table;
