@@ -176,11 +176,9 @@ fn issue_every_file_that_takes_a_declaration_is_named() {
 fn issue_one_unit_for_peaks_far_apart_is_warned_of() {
     let folder = Folder::new().with("one.txt", list(7.0)).with("two.txt", list(5.0));
     assert_eq!(folder.declared(&in_g()).says_units_apart(), None);
-    let in_gal: String = list(5.0)
-        .lines()
-        .map(|line| format!("{}\n", 981.0 * line.trim().parse::<f64>().expect("a number")))
-        .collect();
-    let folder = Folder::new().with("one.txt", list(7.0)).with("three.txt", in_gal);
+    let in_gal = |line: &str| (981.0 * line.parse::<f64>().expect("a number")).to_string();
+    let in_gal: Vec<String> = list(5.0).lines().map(in_gal).collect();
+    let folder = Folder::new().with("one.txt", list(7.0)).with("three.txt", in_gal.join("\n"));
     let said = folder.declared(&in_g()).says_units_apart().expect("a warning");
     assert!(
         said.starts_with("the unit g is declared for 2 records without one, whose peaks differ by a factor of 1000, ")
