@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use pounding_files::shown_name;
 use pounding_scene::file::Unit;
 use pounding_scene::{Error, FileUse};
-use pounding_text::{Refused, short};
+use pounding_text::{Refused, digits};
 
 use super::FolderUse;
 use super::entries::RecordFile;
@@ -103,7 +103,7 @@ impl Tables {
         let folder = table.path.parent().unwrap_or_else(|| Path::new(""));
         let factors = rows.iter().map(|(_, factor)| *factor);
         let [least, most] = [f64::min, f64::max].map(|end| factors.clone().reduce(end).unwrap_or(1.0));
-        let range = format!("scale factors from {} to {}", short(least), short(most));
+        let range = format!("scale factors from {} to {}", digits(least), digits(most));
         let name = shown_name(&table.path);
         if used {
             self.said.push(format!("{name}: {range} multiply its records"));
