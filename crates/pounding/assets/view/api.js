@@ -47,10 +47,10 @@ export class Refusal extends Error {
 
 const drawn = crypto.getRandomValues(new Uint32Array(1))[0];
 
-/** Calls the server with the state; `signal` gives up waiting. */
-export async function call(token, name, { guide, knobs }, signal) {
+/** Calls the server with the state; `signal` gives up waiting, `keepalive` outlives the page. */
+export async function call(token, name, { guide, knobs }, signal, keepalive = false) {
   const body = JSON.stringify({ window: drawn, guide, knobs });
-  const answer = await fetch(`/api/${name}`, { method: "POST", headers: { "X-Pounding-Token": token }, body, signal });
+  const answer = await fetch(`/api/${name}`, { method: "POST", headers: { "X-Pounding-Token": token }, body, signal, keepalive });
   if (!answer.ok) throw new Refusal(answer.status, await answer.text());
   return answer;
 }

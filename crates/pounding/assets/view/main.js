@@ -69,7 +69,7 @@ function show([fact, run]) {
   knobs.show(run.knobs, guide?.knobs ?? []);
   time.max = summary.method.duration_s;
   if (first) start(player);
-  seek(Math.min(Number(time.value), summary.method.duration_s));
+  seek(Math.min(instant, summary.method.duration_s));
   requestAnimationFrame(() => {
     if (asked !== null) document.body.dataset.latency = (performance.now() - asked).toFixed(1);
     document.body.dataset.runs = Number(document.body.dataset.runs ?? 0) + 1;
@@ -120,12 +120,14 @@ function showCharts({ player, summary, exact_um: exact }) {
 
 let playing = false;
 let last = null;
+/** The instant that is shown [s]; the slider knows it in its steps alone. */
+let instant = 0;
 
 /** Begins shortly before the hardest collision: moving, unless less motion is asked for. */
 function start(player) {
   const hardest = player.collisions.reduce((best, one) => (best && best.impulse_n_s >= one.impulse_n_s ? best : one), null);
   const still = matchMedia("(prefers-reduced-motion: reduce)").matches;
-  time.value = hardest ? Math.max(hardest.start_s - (still ? 0 : 1.5), 0) : 0;
+  instant = hardest ? Math.max(hardest.start_s - (still ? 0 : 1.5), 0) : 0;
   play(!still);
 }
 
@@ -140,13 +142,14 @@ function tick(now) {
   if (!playing || !shown) return;
   const passed = last === null ? 0 : (now - last) / 1000;
   last = now;
-  const next = Number(time.value) + passed * Number(find("speed").value);
+  const next = instant + passed * Number(find("speed").value);
   const end = Number(time.max);
   seek(next >= end ? 0 : next);
   requestAnimationFrame(tick);
 }
 
 function seek(to) {
+  instant = to;
   time.value = to;
   if (!shown) return;
   row.frame(to);
@@ -200,6 +203,7 @@ button("report", async () => {
   return "The report is in your downloads.";
 });
 find("reset").addEventListener("click", () => go(state.guide));
+window.addEventListener("pagehide", () => { call(token, "stop", state, undefined, true).catch(() => {}); });
 window.addEventListener("hashchange", () => { Object.assign(state, readState()); showGuide(); turned(); });
 
 try {

@@ -79,7 +79,7 @@ pub(crate) fn run(args: &Arguments) -> Result<String, Refused> {
     Ok(String::new())
 }
 
-/// Opens a browser if the system has one; whoever sees none open has the address.
+/// Opens a browser if the system has one.
 fn open(address: &str) {
     let (program, arguments): (&str, &[&str]) = if cfg!(target_os = "macos") {
         ("open", &[])
@@ -163,6 +163,10 @@ impl View {
         let told = match path {
             "/api/guides" => Ok(self.guides()),
             "/api/run" => return run_latest(base, guide.map(|(guide, _)| *guide), call),
+            "/api/stop" => {
+                drop(Latest::begin(call.window));
+                Ok(Reply::of(TEXT, ""))
+            }
             "/api/report" => report(base, &call.knobs),
             "/api/python" => base.turned(&call.knobs).map(|scene| Reply::of(TEXT, python(&scene))),
             "/api/save" if guide.is_none() => self.save(&call.knobs),

@@ -11,7 +11,7 @@ pub(super) struct Guide {
     /// Its word in the address.
     pub(super) key: &'static str,
     title: &'static str,
-    /// What to do and what is seen.
+    /// Sentences: a knob to turn, and its effect.
     text: &'static [&'static str],
     /// The scene, under the record of `demo`.
     pub(super) scene: &'static str,

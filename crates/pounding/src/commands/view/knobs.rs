@@ -104,7 +104,7 @@ pub(super) fn turned(base: &Scene, turned: &Turned) -> Result<Scene, Refused> {
     }
 }
 
-/// What a knob is turned to.
+/// The new value of a knob.
 enum Setting {
     Number(Option<f64>),
     Choice(String),
@@ -344,7 +344,7 @@ fn law_choice(contact: &Contact) -> Kind {
     Kind::choice(own, options)
 }
 
-/// Another law of the same restitution, and as stiff in times of the usual stiffness; the same law stays as it is.
+/// Another law of the same restitution, and as stiff in times of the usual stiffness; the same law stays unchanged.
 fn other_law(law: &ContactLaw, name: &str) -> Option<ContactLaw> {
     if law.name() == name {
         return Some(*law);

@@ -1,7 +1,7 @@
 //! A server for one page on this machine: one request a connection, everything within bounds.
 //!
-//! A request must name the server's own host and, if it names an origin, the server's own: so a page from elsewhere reaches nothing, also by a
-//! name that resolves to this machine. What is no file of the page needs the token in a header, which no other page can set.
+//! A request must name the server's own host, and the server's own origin if it names one. So a page from elsewhere reaches nothing, also by a
+//! name that resolves to this machine. Calls need the token in a header, which no other page can set.
 
 use std::io::{self, ErrorKind, Read, Write};
 use std::net::{Ipv4Addr, Shutdown, SocketAddr, TcpListener, TcpStream};
@@ -211,7 +211,7 @@ impl Server {
         }
     }
 
-    /// Whether this is the token; the time tells nothing of it.
+    /// Whether this is the token. The comparison takes the same time wherever they differ.
     fn knows(&self, token: &str) -> bool {
         let (own, other) = (self.token.as_bytes(), token.as_bytes());
         let differs = own.iter().zip(other).fold(0, |differs, (own, other)| differs | (own ^ other));

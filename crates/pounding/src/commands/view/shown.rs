@@ -15,7 +15,7 @@ use serde_json::Value;
 use super::guides::Guide;
 use super::knobs::{Drawn, Turned, drawn, turned};
 
-/// A scene to be turned, with its record at hand.
+/// A scene to be turned, with its record.
 #[derive(Debug)]
 pub(super) struct Base {
     scene: Scene,
