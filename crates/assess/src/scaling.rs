@@ -43,7 +43,7 @@ pub struct SpectrumTarget {
     pub periods: Option<[f64; 2]>,
     /// Which records have a common factor.
     pub factors: TargetFactors,
-    /// Whether the spectrum of the maximum direction (RotD100) of both horizontal components is compared with it, as ASCE 7-16, 16.2.3.2,
+    /// Whether the spectrum of the maximum direction (`RotD100`) of both horizontal components is compared with it, as ASCE 7-16, 16.2.3.2,
     /// asks; both components then have one factor. By default each component has its own spectrum.
     pub maximum_direction: bool,
 }

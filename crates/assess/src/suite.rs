@@ -207,8 +207,8 @@ impl Suite {
             ..asked.declared.clone()
         };
         let paths = if asked.sub_folders {
-            let folders = paths.iter().map(|path| Self::folders_in(path)).collect::<Result<Vec<_>, _>>()?;
-            folders.concat()
+            let folders = paths.iter().map(|path| Self::folders_in(path));
+            folders.collect::<Result<Vec<_>, _>>()?.concat()
         } else {
             paths.to_vec()
         };
@@ -220,20 +220,9 @@ impl Suite {
             }
         }
         let tables = Tables::among(&files, &asked)?;
-        left_out.extend(tables.paths.iter().map(|path| LeftOut {
-            name: shown_name(path),
-            path: path.clone(),
-            reason: LeftOutKind::Table.saying(""),
-            motion: None,
-        }));
+        left_out.extend(tables.paths.iter().map(|path| LeftOut::table(path)));
         files.retain(|file| !tables.paths.contains(&file.path));
-        // A name is compared with the other names of its folder; the files of a folder follow each other.
-        let folders = files.chunk_by(|one, other| one.path.parent() == other.path.parent());
-        let named = folders.flat_map(|files| {
-            let names: Vec<String> = files.iter().map(|file| shown_name(&file.path)).collect();
-            NamedFile::of_all(&names)
-        });
-        let named: Vec<_> = files.iter().zip(named).collect();
+        let named: Vec<_> = files.iter().zip(names_of(&files)).collect();
         let read = parallel::each(&named, |(file, named)| of_file(file, named, &declared, &tables.of(&file.path)));
         let n_entries = files.len() + left_out.len();
         let (mut all, mut first) = (Vec::new(), None);
@@ -319,6 +308,17 @@ impl ReadMotion {
             motion: Some(Box::new(self.motion)),
         })
     }
+}
+
+/// What the name of each file says.
+fn names_of(files: &[RecordFile]) -> Vec<NamedFile> {
+    // A name is compared with the other names of its folder; the files of a folder follow each other.
+    let folders = files.chunk_by(|one, other| one.path.parent() == other.path.parent());
+    let named = folders.flat_map(|files| {
+        let names: Vec<String> = files.iter().map(|file| shown_name(&file.path)).collect();
+        NamedFile::of_all(&names)
+    });
+    named.collect()
 }
 
 /// The files on the disk, each once.

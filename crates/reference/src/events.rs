@@ -77,6 +77,15 @@ pub(super) fn list(motion: &Equations, variable: Variable, events: &mut Vec<Even
             events.push(Event::Balance(index));
         }
     }
+    list_of_pairs(motion, parting, events);
+    for (index, link) in motion.model.links.iter().enumerate() {
+        let changes = motion.phases.links[index].changes(link);
+        events.extend(changes.into_iter().flatten().map(|change| Event::Link(index, change)));
+    }
+}
+
+/// Lists the events of pairs; the step runs in the root of the deformation of the pair that parts, if any.
+fn list_of_pairs(motion: &Equations, parting: Option<usize>, events: &mut Vec<Event>) {
     for (index, phase) in motion.phases.pairs.iter().enumerate() {
         if !matches!(phase.contact, ContactPhase::Resting { .. }) {
             events.push(Event::Reversal(index));
@@ -106,10 +115,6 @@ pub(super) fn list(motion: &Equations, variable: Variable, events: &mut Vec<Even
             }
             ContactPhase::Resting { presses: false, .. } => events.push(Event::Stir(index)),
         }
-    }
-    for (index, link) in motion.model.links.iter().enumerate() {
-        let changes = motion.phases.links[index].changes(link);
-        events.extend(changes.into_iter().flatten().map(|change| Event::Link(index, change)));
     }
 }
 

@@ -188,15 +188,15 @@ pub(crate) fn damping_given(structure: &Structure) -> Option<String> {
 
 /// The parameters of the law of a contact, in the words of a scene.
 pub(crate) fn parameters(contact: &Contact) -> String {
-    in_words(serde_json::to_value(contact.law).unwrap_or_default(), contact.law.name())
+    in_words(&serde_json::to_value(contact.law).unwrap_or_default(), contact.law.name())
 }
 
 /// The parameters of the law of a link, in the words of a scene.
 pub fn link_parameters(link: &Link) -> String {
-    in_words(serde_json::to_value(link.law).unwrap_or_default(), link.law.name())
+    in_words(&serde_json::to_value(link.law).unwrap_or_default(), link.law.name())
 }
 
-fn in_words(law: serde_json::Value, name: &str) -> String {
+fn in_words(law: &serde_json::Value, name: &str) -> String {
     let parameter = |(name, value): (&String, &serde_json::Value)| {
         let value = value.as_f64().map_or_else(|| value.to_string(), short);
         format!("{name} = {value}")

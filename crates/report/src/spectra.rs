@@ -71,10 +71,13 @@ pub fn pair_spectra_table<'p>(pairs: &'p [(String, Vec<PairSpectrum>)]) -> Table
     pair_spectral_columns(table, |(.., values)| values)
 }
 
+/// A pseudo-acceleration of a structure under two components \[m/s²\].
+type PairValue = fn(&PairValues) -> f64;
+
 /// Returns the table with the pseudo-accelerations of a structure of one period under two horizontal components.
 pub fn pair_spectral_columns<'a, Of: 'a>(table: Table<'a, Of>, values: fn(&Of) -> &PairValues) -> Table<'a, Of> {
     let table = table.number("period_s", "Period", &Unit::PERIOD, move |row| values(row).period);
-    let columns: [(&str, &str, fn(&PairValues) -> f64); 6] = [
+    let columns: [(&str, &str, PairValue); 6] = [
         ("first_sa_m_per_s2", "first", |one| one.of_components[0]),
         ("second_sa_m_per_s2", "second", |one| one.of_components[1]),
         ("geometric_mean_sa_m_per_s2", "geo. mean", |one| one.geometric_mean),

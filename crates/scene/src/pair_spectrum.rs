@@ -1,7 +1,7 @@
 //! Response spectra of two horizontal components: geometric mean and rotated responses.
 //!
 //! An oscillator that is free in the plane moves by (u₁, u₂). Along a direction θ its largest displacement is the largest
-//! |u₁ cos θ + u₂ sin θ|, the extent of the outline of its path (`outline.rs`). RotD50 and RotD100 are median and maximum over all
+//! |u₁ cos θ + u₂ sin θ|, the extent of the outline of its path (`outline.rs`). `RotD50` and `RotD100` are median and maximum over all
 //! directions (D. M. Boore, *Bull. Seismol. Soc. Am.* 100 (2010) 1830), without steps of an angle.
 
 use std::f64::consts::TAU;

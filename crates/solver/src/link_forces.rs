@@ -23,7 +23,7 @@ impl LinkForces {
         }
         let memory = |link: &Link| {
             let ahead = link.relation.ahead(|node| states[node].displacement);
-            link.law.begin(ahead + ground.opening_of(&link.relation).displacement)
+            LinkMemory::at(ahead + ground.opening_of(&link.relation).displacement)
         };
         Some(Self {
             memories: row.links().iter().map(memory).collect(),

@@ -2,8 +2,9 @@
 
 use std::collections::BTreeSet;
 use std::fmt::Write as _;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
+use pounding_files::shown_name;
 use pounding_scene::Error;
 use pounding_text::{RefusalKind, short, two_digits};
 use serde_json::{Value, json};
@@ -69,6 +70,18 @@ pub enum LeftOutKind {
     Table,
     /// A file that no reader recognizes, such as a README.
     NoRecord,
+}
+
+impl LeftOut {
+    /// A table beside the records.
+    pub(super) fn table(path: &Path) -> Self {
+        Self {
+            name: shown_name(path),
+            path: path.to_path_buf(),
+            reason: LeftOutKind::Table.saying(""),
+            motion: None,
+        }
+    }
 }
 
 impl LeftOutKind {

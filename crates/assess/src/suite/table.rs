@@ -123,6 +123,14 @@ impl Tables {
     }
 }
 
+/// Words of units, for a message.
+const UNITS: &str = "g, mg, g_per_10, m_per_s2, cm_per_s2, mm_per_s2";
+
+/// The unit of a word; `None` if it is none.
+fn unit(word: &str) -> Option<Unit> {
+    serde_json::from_value(serde_json::Value::from(word)).ok()
+}
+
 /// Reads a table that users write; `None` if it is no such table.
 fn own(bytes: &[u8], path: &Path) -> Result<Option<Vec<(String, TableRow)>>, Error> {
     let text = String::from_utf8_lossy(bytes);
@@ -163,16 +171,7 @@ fn own(bytes: &[u8], path: &Path) -> Result<Option<Vec<(String, TableRow)>>, Err
                 _ => Err(refused(line, format!("the {name} {text:?}"), format!("{allowed}, or nothing"))),
             },
         };
-        let unit = cell("unit").map(|text| {
-            let unit = serde_json::from_value(serde_json::Value::from(text));
-            unit.map_err(|_| {
-                refused(
-                    line,
-                    format!("the unit {text:?}"),
-                    "g, mg, g_per_10, m_per_s2, cm_per_s2, mm_per_s2".into(),
-                )
-            })
-        });
+        let unit = cell("unit").map(|text| unit(text).ok_or_else(|| refused(line, format!("the unit {text:?}"), UNITS.into())));
         let file = cell("file").ok_or_else(|| refused(line, "no file".into(), "a name of a file".into()))?;
         rows.push((
             file.to_owned(),

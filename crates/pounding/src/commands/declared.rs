@@ -16,6 +16,7 @@ const UNITS: &str = "One of g, mg, g_per_10, m_per_s2, cm_per_s2, mm_per_s2";
 /// Declarations for files that leave them out; the fields of `record` in a scene.
 #[derive(Debug, Clone, Default, PartialEq, clap::Args)]
 #[command(next_help_heading = "What a file does not say")]
+#[expect(clippy::struct_excessive_bools, reason = "each is an option of the program")]
 pub(super) struct Declared {
     /// Unit of the values.
     #[arg(long, value_name = "UNIT", help = UNITS, value_parser = unit(), hide_possible_values = true)]

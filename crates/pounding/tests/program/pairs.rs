@@ -16,7 +16,8 @@ fn value(rate: f64, step: i32) -> f64 {
 }
 
 fn at2(title: &str, quantity: &str, value: impl Fn(i32) -> f64) -> String {
-    let values: String = (0..300).map(|step| format!("{:e}\n", value(step))).collect();
+    let values: Vec<String> = (0..300).map(|step| format!("{:e}\n", value(step))).collect();
+    let values = values.concat();
     format!("PEER NGA STRONG MOTION DATABASE RECORD\n{title}\n{quantity}\nNPTS=   300, DT=   .0200 SEC,\n{values}")
 }
 
@@ -127,7 +128,7 @@ fn numbers(name: &str, of: &Value, to: &mut Vec<f64>) {
             fields.values().for_each(|one| numbers(name, one, to));
         }
         Value::Array(all) => all.iter().for_each(|one| numbers(name, one, to)),
-        _ => {}
+        Value::Null | Value::Bool(_) | Value::Number(_) | Value::String(_) => {}
     }
 }
 

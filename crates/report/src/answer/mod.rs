@@ -43,14 +43,7 @@ impl Report<'_> {
             .say_as(Where::Page, Manner::Soft, "", self.says_forces())
             .say(Where::FirstScreen, "Apart", brief::apart(prepared, &review.outcome))
             .say(Where::FirstScreen, "Seats", brief::seats(prepared, &review.outcome))
-            .say(
-                Where::Page,
-                "",
-                brief::seats(prepared, &review.outcome)
-                    .iter()
-                    .map(|used| sentence(&format!("seats {used}")))
-                    .collect(),
-            )
+            .say(Where::Page, "", self.says_seats())
             .table(Where::FirstScreen, brief::buildings(prepared, &words))
             .table(Where::FirstScreen, tables::links(prepared, &words));
         let answer = self
@@ -65,19 +58,8 @@ impl Report<'_> {
             .heading("What was assumed")
             .table(Where::Page, self.assumed())
             .appendix("motion")
-            .figure("displacements")
-            .heading("Pairs")
-            .table(Where::Details, tables::pairs(prepared, &words))
-            .say_as(
-                Where::Everywhere,
-                Manner::Soft,
-                "Leaning",
-                tables::leaning(prepared, &review.outcome),
-            )
-            .say(Where::Terminal, "Pairs", no_pairs(&summary))
-            .say(Where::Page, "", no_pairs(&summary).iter().map(|none| sentence(none)).collect())
-            .figure("gaps")
-            .heading_of("Collisions", tables::collisions(prepared, &review.outcome));
+            .figure("displacements");
+        let answer = self.touches(answer, &summary, &words);
         let answer = match &self.effects {
             Some(effects) => effects::parts(answer.heading("What pounding does to every storey"), prepared, effects),
             None => answer,
@@ -108,6 +90,25 @@ impl Report<'_> {
             )
             .say_as(Where::Everywhere, Manner::Box(UNUSUAL), "Unusual", unusual)
             .say_as(Where::Page, Manner::Box(BEFORE), "", self.notices())
+    }
+
+    /// Adds the pairs and their collisions.
+    fn touches<'a>(&self, answer: Answer<'a>, summary: &Summary, words: &InWords<'_>) -> Answer<'a> {
+        let (prepared, outcome) = (self.prepared, &self.review().outcome);
+        answer
+            .heading("Pairs")
+            .table(Where::Details, tables::pairs(prepared, words))
+            .say_as(Where::Everywhere, Manner::Soft, "Leaning", tables::leaning(prepared, outcome))
+            .say(Where::Terminal, "Pairs", no_pairs(summary))
+            .say(Where::Page, "", no_pairs(summary).iter().map(|none| sentence(none)).collect())
+            .figure("gaps")
+            .heading_of("Collisions", tables::collisions(prepared, outcome))
+    }
+
+    /// How far floors with seats move on them, in sentences of a page.
+    fn says_seats(&self) -> Vec<String> {
+        let used = brief::seats(self.prepared, &self.review().outcome);
+        used.iter().map(|used| sentence(&format!("seats {used}"))).collect()
     }
 
     /// Adds the facts of the run: its scene, ground motion, method, errors, histories, work and energy.

@@ -203,11 +203,10 @@ impl Law {
         match (self, field) {
             (Self::Viscous { .. }, "stiffness") => "brace_stiffness_n_per_m",
             (Self::Viscous { .. }, "inverse_exponent") => "exponent",
-            (Self::Maxwell { .. }, "coefficient") => "damping_n_s_per_m",
             (_, "stiffness") => "stiffness_n_per_m",
             (_, "yield_force") => "yield_force_n",
             (_, "hardening") => "hardening_ratio",
-            (_, "damping") => "damping_n_s_per_m",
+            (Self::Maxwell { .. }, "coefficient") | (_, "damping") => "damping_n_s_per_m",
             (_, "slack") => "slack_m",
             (_, other) => other,
         }
@@ -272,7 +271,7 @@ impl Link {
             return Err(found.allowed("two floors, or a floor and the ground or a wall"));
         }
         if let Law::Spring { stiffness_n_per_m, .. } = self.law
-            && !(stiffness_n_per_m > 0.0)
+            && (stiffness_n_per_m.is_nan() || stiffness_n_per_m <= 0.0)
         {
             let found = Refused::at("law.spring.stiffness_n_per_m").found(plain(stiffness_n_per_m));
             return Err(found

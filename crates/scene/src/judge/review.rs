@@ -94,7 +94,6 @@ impl Simulation {
             closings: true,
             reversed_closings: true,
             drift_rates: true,
-            ..Extras::default()
         };
         let AuditedRun { outcome, broken, balance } = self.audited_with(asked)?;
         let mut warnings = Vec::new();

@@ -92,7 +92,8 @@ fn issue_a_collapse_ends_the_run_as_a_result() {
             close(of(FloorQuantity::CollapseS), collapse.time_s);
             close(of(FloorQuantity::PeakDisplacementM), sign * 3.0 * ratio);
             let states = &run.histories.as_ref().expect("asked for").of(0).states;
-            assert_eq!(states.len(), (collapse.time_s / 0.01).floor() as usize + 1);
+            let wanted = (collapse.time_s / 0.01).floor() + 1.0;
+            assert!((states.len() as f64 - wanted).abs() < 0.5, "{} {wanted}", states.len());
         }
     }
 }

@@ -170,13 +170,13 @@ fn order_a_bare_viscous_damper_by_rk4() {
     };
     let [coarse, fine] = [0.03, 0.015].map(off);
     for (coarse, fine) in coarse.into_iter().zip(fine) {
-        let order = (coarse / fine).log2();
+        let order = libm::log2(coarse / fine);
         assert!((3.8..4.2).contains(&order) && fine < 2e-9, "{coarse} {fine}");
     }
     // A millisecond before it stops, v^(1 − α) is (1 − α) c/m times the time that is left.
     let part = 1.0 - of("alpha");
     let left = part * of("c") / of("m_kg") * (wanted("stops_after_s") - 0.816);
-    is_close("before it stops", ended(0.816, 5e-4)[1], left.powf(1.0 / part), 1e-3);
+    is_close("before it stops", ended(0.816, 5e-4)[1], libm::pow(left, 1.0 / part), 1e-3);
     // A step that passes the stop swings about it. What is left of velocity and way falls with h^(1/(1 − α)), an order of 1.54.
     let stopped = |step: f64| {
         let [way, velocity] = ended(1.0, step);
@@ -184,7 +184,7 @@ fn order_a_bare_viscous_damper_by_rk4() {
     };
     let [coarse, fine] = [2e-3, 5e-4].map(stopped);
     for (coarse, fine) in coarse.into_iter().zip(fine) {
-        let order = 0.5 * (coarse / fine).log2();
+        let order = 0.5 * libm::log2(coarse / fine);
         assert!((order * part - 1.0).abs() < 0.05, "{coarse} {fine}");
     }
 }
@@ -234,7 +234,7 @@ fn order_links_by_rk4() {
             floors.map(|(found, exact)| (found[0] - exact[0]).abs()).fold(0.0, f64::max)
         };
         let [coarse, fine] = [1e-2, 6.25e-4].map(off);
-        let found = 0.25 * (coarse / fine).log2();
+        let found = 0.25 * libm::log2(coarse / fine);
         assert!(found > 0.95 * order, "{law}: order {found}, {coarse} {fine}");
         assert!(exact.link(LinkQuantity::PeakPullN) > 1e4, "{law}: it must act");
     }

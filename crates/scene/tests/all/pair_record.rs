@@ -13,7 +13,8 @@ fn value(azimuth: f64, step: i32) -> f64 {
 }
 
 fn at2(azimuth: f64) -> String {
-    let values: String = (0..100).map(|step| format!("{:e}\n", value(azimuth, step))).collect();
+    let values: Vec<String> = (0..100).map(|step| format!("{:e}\n", value(azimuth, step))).collect();
+    let values = values.concat();
     format!(
         "PEER NGA STRONG MOTION DATABASE RECORD\nA, {azimuth}\nACCELERATION TIME SERIES IN UNITS OF G\nNPTS= 100, DT= .0100 SEC,\n{values}"
     )

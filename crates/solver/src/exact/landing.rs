@@ -3,6 +3,7 @@
 use crate::exact::body::{Body, pushing};
 use crate::exact::columns::Branch;
 use crate::exact::contact::{Link, PairState};
+use crate::exact::links::LinkState;
 use crate::exact::member::{Ahead, Member};
 use crate::exact::watch::Event;
 use crate::exact::{ExactRun, Touching};
@@ -178,10 +179,7 @@ impl<R: Recorder> ExactRun<'_, R> {
         let mut linked = Room::default();
         let links = linked.of(self.moving.linking.at(node));
         for push in links.iter_mut() {
-            let series = &self.moving.links[push.pair].force[..body.len];
-            push.forces = [series[0], value(series, x)];
-            push.impulse = integral(series, body.power, x);
-            push.series = series;
+            self.moving.links[push.pair].pushes(push, body, x);
         }
         // Used only if several pairs push.
         let [left, right] = &mut [None, None];
@@ -194,13 +192,7 @@ impl<R: Recorder> ExactRun<'_, R> {
             end,
             impulse_from_left: impulse(pushes, false),
             impulse_from_right: -impulse(pushes, true),
-            below: below.map(|below| {
-                let start = Motion {
-                    displacement: below.displacement[0],
-                    velocity: below.velocity[0],
-                };
-                [start, (&below.state).into()]
-            }),
+            below: below.map(Member::ends),
             path: match &member.ahead {
                 Some(ahead) => Path::Flight(ahead.flight),
                 None => Path::Series(Series {
@@ -231,11 +223,8 @@ impl<R: Recorder> ExactRun<'_, R> {
             self.moving.links[link].land(len, x, later);
         }
         for event in events {
-            match *event {
-                Event::Link(link, branch) => self.moving.links[link].go_to(branch, len, x),
-                Event::FlowTurns(link) => self.moving.links[link].pass_zero(),
-                Event::LinkTurns(link) | Event::LinkPeaks(link) => self.moving.links[link].note(event),
-                _ => {}
+            if let Event::Link(link, change) = *event {
+                self.moving.links[link].change(change, len, x);
             }
         }
     }
@@ -251,7 +240,26 @@ impl PairState {
     }
 }
 
+impl LinkState {
+    /// Writes the action of the link from the start of a piece of its body to x.
+    fn pushes<'a>(&'a self, push: &mut Push<'a>, body: &Body, x: f64) {
+        let series = &self.force[..body.len];
+        push.forces = [series[0], value(series, x)];
+        push.impulse = integral(series, body.power, x);
+        push.series = series;
+    }
+}
+
 impl Member {
+    /// Motion at both ends of a piece, for a member that has its new state.
+    fn ends(&self) -> [Motion; 2] {
+        let start = Motion {
+            displacement: self.displacement[0],
+            velocity: self.velocity[0],
+        };
+        [start, (&self.state).into()]
+    }
+
     /// The hysteretic part of the force at x, at this drift.
     fn hysteretic_end(&self, drift: f64, len: usize, x: f64) -> f64 {
         match &self.bend {

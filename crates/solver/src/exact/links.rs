@@ -1,67 +1,25 @@
-//! Links between floors: their branch between events, and their force as a power series.
-//!
-//! Springs and restrainers lie on a line between events, F = h + a k δ + c δ̇. The part h = k′ (δ − origin), k′ = (1 − a) k, stays within
-//! limits; a restrainer lets go at h = 0. A braced damper has the state F, whose rate is a product of series. Floors that a link joins move
-//! as one body.
+//! Links between floors: their state between events, and their force as a power series. Floors that a link joins move as one body.
 
 use crate::exact::ExactRun;
+use crate::exact::link_laws::{Branch, Flow, Law, sign};
 use crate::exact::member::Member;
 use crate::exact::rounding::weighed;
 use crate::exact::watch::{Event, Watch};
-use crate::model::link::Braced;
 use crate::roots::{CAPACITY, SHORTEST_WAY};
 use crate::span::{Power, value};
 use crate::{Link, LinkLaw, Motion, Point, Recorder, Relation, RestoringForce, Row, RunError, Travel};
 
-/// The branch of a spring or a restrainer.
+/// What happens to a link at an instant.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Branch {
-    Elastic,
-    /// At the upper limit of h: yielding in compression.
-    Upper,
-    /// At the lower limit: yielding in tension.
-    Lower,
-    /// A restrainer without a force.
-    Slack,
-}
-
-/// The part h of a spring or a restrainer.
-#[derive(Debug, Clone, Copy)]
-struct Line {
-    /// k′ \[N/m\].
-    stiffness: f64,
-    /// a k \[N/m\].
-    hardened: f64,
-    /// c \[N·s/m\].
-    damping: f64,
-    /// Limits of h \[N\], the lower first.
-    limits: [f64; 2],
-    /// Whether h ends at zero from below, and the branch beyond.
-    lets_go: bool,
-    branch: Branch,
-    /// Deformation at which h is zero \[m\].
-    origin: f64,
-    /// h at the start of the piece \[N\].
-    force: f64,
-    /// Elongation beyond the origin at the start of the piece \[m\]; < 0 while a restrainer is slack.
-    stretch: f64,
-}
-
-/// A braced damper: its force at the start of the piece \[N\], and series of the part |F|/c and its powers.
-#[derive(Debug, Clone)]
-struct Flow {
-    damper: Braced,
-    force: f64,
-    /// Sign of the force.
-    sign: f64,
-    powers: Vec<[f64; CAPACITY]>,
-}
-
-/// The force of a link that deforms.
-#[derive(Debug, Clone)]
-enum Law {
-    Line(Line),
-    Flow(Flow),
+pub(super) enum Change {
+    /// A spring or a restrainer goes on to this branch.
+    To(Branch),
+    /// The rate of deformation changes sign.
+    Turns,
+    /// The force has an extremum.
+    Peaks,
+    /// The force of a braced damper passes through zero.
+    PassesZero,
 }
 
 /// A link between events.
@@ -118,127 +76,6 @@ impl Linked {
             }
         }
         Some(Box::new(linked))
-    }
-}
-
-impl Law {
-    /// `None` for a law that the exact method has no series for.
-    fn new(law: LinkLaw) -> Option<Self> {
-        let line = |stiffness: f64, hardened: f64, damping: f64, limits: [f64; 2]| Line {
-            stiffness,
-            hardened,
-            damping,
-            limits,
-            lets_go: false,
-            branch: Branch::Elastic,
-            origin: 0.0,
-            force: 0.0,
-            stretch: 0.0,
-        };
-        Some(match law {
-            LinkLaw::Spring(spring) => {
-                // A spring that never yields is elastic.
-                let hardening = if spring.yield_force.is_finite() { spring.hardening } else { 0.0 };
-                let part = 1.0 - hardening;
-                let limit = part * spring.yield_force;
-                let hardened = hardening * spring.stiffness;
-                Self::Line(line(part * spring.stiffness, hardened, spring.damping, [-limit, limit]))
-            }
-            LinkLaw::Restrainer(restrainer) => Self::Line(Line {
-                lets_go: true,
-                branch: Branch::Slack,
-                origin: -restrainer.slack,
-                ..line(restrainer.stiffness, 0.0, 0.0, [-restrainer.yield_force, 0.0])
-            }),
-            LinkLaw::Braced(damper) => Self::Flow(Flow {
-                damper,
-                force: 0.0,
-                sign: 0.0,
-                powers: vec![[0.0; CAPACITY]; damper.inverse_exponent as usize],
-            }),
-            LinkLaw::Viscous(_) => return None,
-        })
-    }
-
-    /// Stiffness \[N/m\] and dashpot \[N·s/m\].
-    fn rates(&self) -> [f64; 2] {
-        match self {
-            Self::Line(line) => [line.stiffness + line.hardened, line.damping],
-            Self::Flow(flow) => [flow.damper.stiffness, 0.0],
-        }
-    }
-}
-
-impl Line {
-    /// Takes the deformation at t = 0 \[m\].
-    fn begin(&mut self, deformation: f64) {
-        self.stretch = self.origin - deformation;
-        if self.branch == Branch::Slack && self.stretch <= 0.0 {
-            return;
-        }
-        self.branch = Branch::Elastic;
-        let force = self.stiffness * (deformation - self.origin);
-        let [lower, upper] = self.limits;
-        self.force = force.clamp(lower, upper);
-        let excess = force - self.force;
-        if excess != 0.0 {
-            self.origin += excess / self.stiffness;
-        }
-    }
-
-    /// h at a deformation on the present branch.
-    fn at(&self, deformation: f64) -> f64 {
-        match self.branch {
-            Branch::Elastic => self.stiffness * (deformation - self.origin),
-            Branch::Upper => self.limits[1],
-            Branch::Lower => self.limits[0],
-            Branch::Slack => 0.0,
-        }
-    }
-
-    /// Tangent of h \[N/m\].
-    fn tangent(&self) -> f64 {
-        if self.branch == Branch::Elastic { self.stiffness } else { 0.0 }
-    }
-
-    /// Changes the branch at a deformation.
-    fn go_to(&mut self, branch: Branch, deformation: f64) {
-        match branch {
-            Branch::Upper => self.force = self.limits[1],
-            Branch::Lower => self.force = self.limits[0],
-            Branch::Slack => (self.force, self.origin, self.stretch) = (0.0, deformation, 0.0),
-            Branch::Elastic if self.branch == Branch::Slack => self.force = 0.0,
-            Branch::Elastic => self.origin = deformation - self.force / self.stiffness,
-        }
-        self.branch = branch;
-    }
-
-    /// Whether it yields against this rate of deformation.
-    fn turns(&self, rate: f64) -> bool {
-        match self.branch {
-            Branch::Upper => rate < 0.0,
-            Branch::Lower => rate > 0.0,
-            Branch::Elastic | Branch::Slack => false,
-        }
-    }
-}
-
-impl Flow {
-    /// Coefficient `n` of the rate at which the damper deforms, from those of the force up to `n`.
-    fn flows(&mut self, force: &[f64; CAPACITY], n: usize) -> f64 {
-        self.powers[0][n] = self.sign * force[n] / self.damper.coefficient;
-        for index in 1..self.powers.len() {
-            let (known, rest) = self.powers.split_at_mut(index);
-            let (before, first) = (&known[index - 1], &known[0]);
-            rest[0][n] = (0..=n).map(|m| before[m] * first[n - m]).sum();
-        }
-        let last = self.powers.len() - 1;
-        self.sign * self.powers[last][n]
-    }
-
-    /// Whether the force passes through zero with a kink: an odd power needs no sign.
-    fn has_kink(&self) -> bool {
-        self.damper.inverse_exponent.is_multiple_of(2)
     }
 }
 
@@ -387,7 +224,7 @@ impl LinkState {
             Law::Line(line) => line,
             Law::Flow(flow) => {
                 if flow.has_kink() {
-                    watch.change_of(len, false, |n| self.force[n], Event::FlowTurns(link));
+                    watch.change_of(len, false, |n| self.force[n], Event::Link(link, Change::PassesZero));
                 }
                 return;
             }
@@ -402,23 +239,23 @@ impl LinkState {
                 };
                 let [lower, upper] = line.limits;
                 if lower.is_finite() {
-                    watch.rise(len, beyond(lower, -1.0), Event::Link(link, Branch::Lower));
+                    watch.rise(len, beyond(lower, -1.0), Event::Link(link, Change::To(Branch::Lower)));
                 }
                 if upper.is_finite() {
                     let branch = if line.lets_go { Branch::Slack } else { Branch::Upper };
-                    watch.rise(len, beyond(upper, 1.0), Event::Link(link, branch));
+                    watch.rise(len, beyond(upper, 1.0), Event::Link(link, Change::To(branch)));
                 }
             }
             Branch::Upper | Branch::Lower => {
                 let rate = |n: usize| if n < known { 0.0 } else { self.rate[n] };
-                watch.change_of(len, false, rate, Event::Link(link, Branch::Elastic));
+                watch.change_of(len, false, rate, Event::Link(link, Change::To(Branch::Elastic)));
             }
             Branch::Slack => {
                 let pull = |n: usize| match n {
                     0 => line.stretch,
                     _ => -deformation(n),
                 };
-                watch.rise(len, pull, Event::Link(link, Branch::Elastic));
+                watch.rise(len, pull, Event::Link(link, Change::To(Branch::Elastic)));
             }
         }
     }
@@ -430,11 +267,11 @@ impl LinkState {
             Law::Flow(_) => (true, true),
         };
         if of_deformation {
-            watch.change_of(len, self.turned, |n| self.rate[n], Event::LinkTurns(link));
+            watch.change_of(len, self.turned, |n| self.rate[n], Event::Link(link, Change::Turns));
         }
         if own_peaks {
             let slope = |n: usize| (n + 1) as f64 * self.force[n + 1];
-            watch.change_of(len - 1, self.peaked, slope, Event::LinkPeaks(link));
+            watch.change_of(len - 1, self.peaked, slope, Event::Link(link, Change::Peaks));
         }
     }
 
@@ -450,31 +287,20 @@ impl LinkState {
         }
     }
 
-    /// Changes the branch at x, the end of a piece.
-    pub(super) fn go_to(&mut self, branch: Branch, len: usize, x: f64) {
-        let deformation = value(&self.deformation[..len], x);
-        if let Law::Line(line) = &mut self.law {
-            if branch == Branch::Elastic && line.branch != Branch::Slack {
-                let terms = self.rate[..len].iter().rev();
-                self.still = Some(terms.fold(0.0, |sum, term| sum * x + term.abs()));
+    /// Applies an event at x, the end of a piece.
+    pub(super) fn change(&mut self, change: Change, len: usize, x: f64) {
+        match (change, &mut self.law) {
+            (Change::To(branch), Law::Line(line)) => {
+                if branch == Branch::Elastic && line.branch != Branch::Slack {
+                    let terms = self.rate[..len].iter().rev();
+                    self.still = Some(terms.fold(0.0, |sum, term| sum * x + term.abs()));
+                }
+                line.go_to(branch, value(&self.deformation[..len], x));
             }
-            line.go_to(branch, deformation);
-        }
-    }
-
-    /// Notes that deformation or force has an extremum.
-    pub(super) fn note(&mut self, event: &Event) {
-        match event {
-            Event::LinkTurns(_) => self.turned = true,
-            Event::LinkPeaks(_) => self.peaked = true,
-            _ => {}
-        }
-    }
-
-    /// Clears the force of a damper that passes through zero.
-    pub(super) fn pass_zero(&mut self) {
-        if let Law::Flow(flow) = &mut self.law {
-            flow.force = 0.0;
+            (Change::Turns, _) => self.turned = true,
+            (Change::Peaks, _) => self.peaked = true,
+            (Change::PassesZero, Law::Flow(flow)) => flow.force = 0.0,
+            (Change::To(_), Law::Flow(_)) | (Change::PassesZero, Law::Line(_)) => {}
         }
     }
 
@@ -524,16 +350,6 @@ const STILL: f64 = 64.0 * f64::EPSILON;
 
 /// Part of a force, or a rate of flow \[m/s\], that counts as zero.
 const NOTHING: f64 = 1e-20;
-
-fn sign(number: f64) -> f64 {
-    if number > 0.0 {
-        1.0
-    } else if number < 0.0 {
-        -1.0
-    } else {
-        0.0
-    }
-}
 
 impl<R: Recorder> ExactRun<'_, R> {
     /// Notes how far the grounds of the links of a body have moved at the start of its piece.

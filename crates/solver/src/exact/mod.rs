@@ -24,6 +24,7 @@ mod groups;
 mod hits;
 mod impacts;
 mod landing;
+mod link_laws;
 mod links;
 mod look_ahead;
 mod member;

@@ -2,7 +2,7 @@
 
 use crate::exact::columns::{Branch, LoadingLine};
 use crate::exact::contact::{Link, OnSlope, PairState, Phase};
-use crate::exact::links::Branch as LinkBranch;
+use crate::exact::links::Change;
 use crate::exact::member::Member;
 use crate::exact::{ExactRun, Touching, rounding};
 use crate::roots::{CAPACITY, LOST, SHORTEST_WAY, first_root};
@@ -40,14 +40,8 @@ pub(super) enum Event {
     Grip(usize),
     /// A pair parts.
     Part(usize),
-    /// A link changes its branch.
-    Link(usize, LinkBranch),
-    /// The force of a braced damper passes through zero.
-    FlowTurns(usize),
-    /// The rate of deformation of a link changes sign.
-    LinkTurns(usize),
-    /// The force of a link has an extremum.
-    LinkPeaks(usize),
+    /// Something changes in a link.
+    Link(usize, Change),
 }
 
 impl Event {
@@ -233,7 +227,7 @@ impl<R: Recorder> ExactRun<'_, R> {
             }
             // The recorder sees the drift of a fall, and the run ends.
             // The state of a link changes with that of its body.
-            Event::Cross(_) | Event::Fall | Event::Link(..) | Event::FlowTurns(_) | Event::LinkTurns(_) | Event::LinkPeaks(_) => {}
+            Event::Cross(_) | Event::Fall | Event::Link(..) => {}
             Event::Yield(node, branch) => {
                 let member = &mut self.moving.members[node];
                 member.go_on(branch);

@@ -187,12 +187,14 @@ impl LinkLaw {
         let memory = LinkMemory { deformation, rate, inner };
         (force, memory)
     }
+}
 
+impl LinkMemory {
     /// The memory at t = 0, in a deformation \[m\].
-    pub(crate) fn begin(&self, deformation: f64) -> LinkMemory {
-        LinkMemory {
+    pub(crate) fn at(deformation: f64) -> Self {
+        Self {
             deformation,
-            ..LinkMemory::default()
+            ..Self::default()
         }
     }
 }

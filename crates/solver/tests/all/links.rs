@@ -149,9 +149,9 @@ fn braced_by_steps(damper: Braced, mass: f64, stiffness: f64, velocity: f64, dur
         coefficient,
         inverse_exponent,
     } = damper;
-    let exponent = i32::try_from(inverse_exponent).expect("small");
     let slope = |[u, v, f]: [f64; 3]| {
-        let flow = (f.abs() / coefficient).powi(exponent) * f.signum();
+        let power = (0..inverse_exponent).fold(1.0, |power, _| power * f.abs() / coefficient);
+        let flow = power * f.signum();
         [v, -(stiffness * u + f) / mass, brace * (v - flow)]
     };
     let n = 400_000;

@@ -1,4 +1,4 @@
-//! Damping on the tangent stiffness: columns that yield lose β (k − k_t) of it.
+//! Damping on the tangent stiffness: columns that yield lose β (k − `k_t`) of it.
 
 use pounding_solver::{
     Bilinear, Exact, Excitation, Floor, Impact, Integrator, Ledger, Node, Recorder, Row, RunError, SimultaneousImpacts, Span,

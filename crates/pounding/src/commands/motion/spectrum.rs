@@ -30,11 +30,12 @@ between samples: no time step.";
 /// The arguments of `motion spectrum`.
 #[derive(Debug, clap::Args)]
 #[command(after_help = EXAMPLES)]
+#[expect(clippy::struct_excessive_bools, reason = "each is an option of the program")]
 pub(super) struct Arguments {
     /// The record; with --pairs one or more files and folders.
     #[arg(value_name = "FILE", required = true)]
     files: Vec<PathBuf>,
-    /// Two horizontal components together: RotD50, RotD100, geometric mean.
+    /// Two horizontal components together: median and maximum over all directions (RotD), geometric mean.
     #[arg(long, conflicts_with = "figure")]
     pairs: bool,
     /// Natural periods [s], 0 for the ground itself.

@@ -1,4 +1,4 @@
-//! Response spectra of pairs of horizontal components: RotD50, RotD100, geometric mean.
+//! Response spectra of pairs of horizontal components: median and maximum over all directions, geometric mean.
 
 use pounding::assess::{HorizontalPair, Suite};
 use pounding::report::{pair_spectra_table, pair_spectral_columns};
