@@ -273,7 +273,7 @@ fn issue_the_law_of_bumpers_is_named() {
     );
     let work = workplace("unusual_bumper", &narrow, false);
     let said = flat(&pounding(&work, &[OF_FOLDERS[0], &["--bumper", "k=500MN/m"]].concat()));
-    let law = "between a and b, law modified_linear_viscoelastic with e = 0.60)";
+    let law = "between a and b, law modified linear viscoelastic with e = 0.60)";
     assert!(said.contains(law), "{said}");
 }
 

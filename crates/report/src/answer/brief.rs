@@ -159,7 +159,8 @@ pub(super) fn buildings(prepared: &Simulation, words: &InWords<'_>) -> Grid {
         (has_storeys || !is_drift) && moving.iter().any(|one| worst(*one, *quantity).is_some())
     });
     let known: Vec<FloorQuantity> = known.collect();
-    let table = Table::of(moving).shown("Largest (floor or storey)", |one| scene.structures[*one].name().to_owned());
+    let heading = if has_storeys { "Largest (floor or storey)" } else { "Largest" };
+    let table = Table::of(moving).shown(heading, |one| scene.structures[*one].name().to_owned());
     let table = known.into_iter().fold(table, |table, quantity| {
         let about = quantity.about();
         table.shown_in(about.unit.shown, about.heading, move |one| Shown::from(worst(*one, quantity)))

@@ -20,8 +20,8 @@ pub(super) fn parts<'a>(answer: Answer<'a>, prepared: &Simulation, effects: &Eff
          by more than {} when the record is made 1 % weaker, stronger, faster or slower: it holds no better than that. All by the exact \
          method; another exact run, with a tolerance ten thousand times as large and a record larger by one part in 10¹², is within {} of \
          every multiple. All are for the contact stiffness of the scene, which nobody knows well: accelerations depend on it, and `pounding assess` \
-         gives their range. Impulsive impacts accelerate without bound and are left out of accelerations. Collisions and impulses are those of \
-         both sides of a floor together.",
+         gives their range. Impulsive impacts accelerate without bound and are left out of accelerations. Collisions, \
+         impulses and accelerations are those of the floor above the storey, of both its sides together.",
         percent(Known::ROBUST),
         percent(effects.largest_error())
     );
@@ -53,7 +53,7 @@ fn table(prepared: &Simulation, effects: &Effects, full: bool) -> Grid {
         Shown::from(format!("{mark}{value}")).over(range)
     };
     let table = Table::of(rows)
-        .shown("Storey, floor", |(name, _)| Shown::from(name.as_str()))
+        .shown("Storey, direction", |(name, _)| Shown::from(name.as_str()))
         .shown("Collisions", move |(_, floor)| known(&floor.collisions, &Unit::COUNT))
         .shown_in(Unit::NEWTON_SECOND.shown, "Sum of impulses", move |(_, floor)| {
             known(&floor.impulse_n_s, &Unit::NEWTON_SECOND)
