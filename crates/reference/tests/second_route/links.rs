@@ -89,7 +89,6 @@ fn beside_a_wall(law: ContactLaw) -> Row<Bilinear> {
 
 /// Both routes agree on floors and touches, and the links change the motion.
 fn agree<Column: Hysteretic>(row: &Row<Column>, links: Vec<Link>, duration: f64, what: &str) {
-    println!("{what}");
     let without = run(row, &ground(), duration);
     let row = row.clone().linked(links).expect("valid links");
     let (collisions, other) = agree_on_floors(&row, duration, (1e-11, what));
