@@ -2,10 +2,10 @@
 
 use std::ops::Range;
 
-use crate::Relation;
 use crate::exact::contact::{Link, PairState, System};
 use crate::exact::tie::Tie;
 use crate::model::incidence::Incidence;
+use crate::{Point, Relation};
 
 /// The bodies of a row, from its links.
 #[derive(Debug, Default)]
@@ -237,11 +237,9 @@ impl Groups {
             }
         }
         for link in 0..self.links.len() {
-            let relation = self.links[link];
-            let mut floors = relation.pushes().map(|(floor, _)| floor);
-            if let (Some(left), Some(right)) = (floors.next(), floors.next()) {
-                self.join(left, right);
-            }
+            // The node above a ground, too: samples that arrive there end the pieces of the body.
+            let [left, right] = self.links[link].points().map(Point::floor);
+            self.join(left, right);
         }
         for (pair, contact) in contacts.iter().enumerate() {
             if self.joins[pair] != LinkKind::Apart {
