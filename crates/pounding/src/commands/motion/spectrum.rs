@@ -35,7 +35,7 @@ pub(super) struct Arguments {
     /// The record; with --pairs one or more files and folders.
     #[arg(value_name = "FILE", required = true)]
     files: Vec<PathBuf>,
-    /// Two horizontal components together: median and maximum over all directions (RotD), geometric mean.
+    /// Two horizontal components together: median and maximum over all directions, geometric mean.
     #[arg(long, conflicts_with = "figure")]
     pairs: bool,
     /// Natural periods [s], 0 for the ground itself.

@@ -59,7 +59,7 @@ mod tests {
     fn limit_the_latest_run_of_a_window_stops_its_others_alone() {
         let (first, of_other) = (Latest::begin(1).unwrap(), Latest::begin(2).unwrap());
         let second = Latest::begin(1).unwrap();
-        let stopped = [&first, &of_other, &second].map(super::Latest::is_stopped);
+        let stopped = [&first, &of_other, &second].map(Latest::is_stopped);
         assert_eq!(stopped, [true, false, false]);
     }
 }
