@@ -118,7 +118,12 @@ pub(crate) fn heights(floors: &Floors, ends: [Standing; 2]) -> [f64; 2] {
         let floor = floors.of_structure(structure).get(floor?)?;
         (!floors.all()[*floor].is_wall()).then(|| elevation(floors, *floor))
     };
-    let is_wall = |end: Standing| floors.of_structure(end.structure).iter().all(|floor| floors.all()[*floor].is_wall());
+    let is_wall = |end: Standing| {
+        floors
+            .of_structure(end.structure)
+            .iter()
+            .all(|floor| floors.all()[*floor].is_wall())
+    };
     let [left, right] = ends.map(height);
     let of = |end: Standing, own: Option<f64>, other: Option<f64>| own.or(other.filter(|_| is_wall(end))).unwrap_or(0.0);
     [of(ends[0], left, right), of(ends[1], right, left)]

@@ -129,7 +129,7 @@ impl<'a> Making<'a> {
         }
         let prepared = sweep.prepared(motion, &self.settings, &mut self.scene);
         let prepared = prepared.map_err(|refused| refused.to_string())?;
-        if sweep.row.fits(prepared.floors()) {
+        if sweep.row.fits(prepared.scene(), prepared.floors()) {
             Ok((Box::new(prepared), false))
         } else {
             Err("another number of floors or pairs than in the first run".into())

@@ -78,7 +78,7 @@ impl Sweep {
                 found.slots.push((index, slot));
             }
         }
-        self.row.fits(found.prepared.floors()).then_some(found)
+        self.row.fits(found.prepared.scene(), found.prepared.floors()).then_some(found)
     }
 }
 

@@ -21,7 +21,10 @@ const NEAR: f64 = 1e-6;
 /// The row of a scene that does not run.
 pub(super) fn row_of(scene: &Scene) -> Result<RowShape, Refused> {
     let floors = scene.check().and_then(|()| Floors::of(scene));
-    Ok(RowShape::of(scene, &floors.map_err(|refused| Error::in_scene(&scene.name, refused))?))
+    Ok(RowShape::of(
+        scene,
+        &floors.map_err(|refused| Error::in_scene(&scene.name, refused))?,
+    ))
 }
 
 /// Reads a scene whose fields were set; an error names the field.

@@ -221,7 +221,9 @@ impl Stage {
             mm(below(heights[1])),
             moved(film.at())
         );
-        let frames = film.instants().map(|(time, share)| format!("{}%{{transform:{}}}", mm(share), moved(time)));
+        let frames = film
+            .instants()
+            .map(|(time, share)| format!("{}%{{transform:{}}}", mm(share), moved(time)));
         animate(style, &name, &frames.collect::<String>());
     }
 

@@ -69,7 +69,8 @@ impl Report<'_> {
             .say(Where::Terminal, "Pairs", no_pairs(&summary))
             .say(Where::Page, "", no_pairs(&summary).iter().map(|none| sentence(none)).collect())
             .figure("gaps")
-            .heading_of("Collisions", tables::collisions(prepared, &review.outcome));
+            .heading_of("Collisions", tables::collisions(prepared, &review.outcome))
+            .heading_of("Links", tables::links(prepared, &words));
         let answer = match &self.effects {
             Some(effects) => effects::parts(answer.heading("What pounding does to every storey"), prepared, effects),
             None => answer,

@@ -352,14 +352,19 @@ impl LinkState {
                 return;
             }
         };
+        // At a limit, rounding of force and rate does not lead beyond it: else a link that turns back yields again at once.
+        let known = p + (0..len).take_while(|n| self.rate[*n].abs() <= self.noise(members, p, *n)).count();
+        let beyond = |excess: f64, slope: f64| {
+            let start = excess.min(0.0);
+            move |n: usize| match n {
+                0 => start,
+                _ if start == 0.0 && n < known => 0.0,
+                _ => slope * self.deformation[n],
+            }
+        };
         match line.branch {
             Branch::Elastic => {
-                let beyond = |limit: f64, sign: f64| {
-                    move |n: usize| match n {
-                        0 => sign * (line.force - limit),
-                        _ => sign * (line.stiffness * self.deformation[n]),
-                    }
-                };
+                let beyond = |limit: f64, sign: f64| beyond(sign * (line.force - limit), sign * line.stiffness);
                 let [lower, upper] = line.limits;
                 if lower.is_finite() {
                     watch.rise(len, beyond(lower, -1.0), Event::Link(link, Branch::Lower));
@@ -370,17 +375,14 @@ impl LinkState {
                 }
             }
             Branch::Upper | Branch::Lower => {
-                let known = (0..len).take_while(|n| self.rate[*n].abs() <= self.noise(members, p, *n)).count();
-                let rate = |n: usize| if n < known { 0.0 } else { self.rate[n] };
+                let rate = |n: usize| if n + p < known { 0.0 } else { self.rate[n] };
                 watch.change_of(len, false, rate, Event::Link(link, Branch::Elastic));
             }
-            Branch::Slack => {
-                let pull = |n: usize| match n {
-                    0 => line.origin - self.deformation[0],
-                    _ => -self.deformation[n],
-                };
-                watch.rise(len, pull, Event::Link(link, Branch::Elastic));
-            }
+            Branch::Slack => watch.rise(
+                len,
+                beyond(line.origin - self.deformation[0], -1.0),
+                Event::Link(link, Branch::Elastic),
+            ),
         }
     }
 
