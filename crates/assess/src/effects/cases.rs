@@ -91,7 +91,7 @@ impl EffectCase {
             ..changed.scene().clone()
         };
         let beside = changed.variant(&scene, changed.record().clone())?;
-        let apart = beside.apart()?;
+        let apart = beside.apart()?.unlinked()?;
         let alone = FloorPeaks::all(&apart, &apart.run(None)?);
         let outcome = beside.run(None)?;
         let found = FloorPeaks::all(&beside, &outcome);

@@ -103,6 +103,7 @@ impl Report<'_> {
             .say(Where::Page, "", no_pairs(summary).iter().map(|none| sentence(none)).collect())
             .figure("gaps")
             .heading_of("Collisions", tables::collisions(prepared, outcome))
+            .heading_of("Links", tables::links(prepared, words))
     }
 
     /// How far floors with seats move on them, in sentences of a page.

@@ -197,6 +197,9 @@ impl Simulation {
     /// # Errors
     /// Errors of the model with its links, which were found before.
     pub fn unlinked(&self) -> Result<Self, Error> {
+        if self.scene.links.is_empty() {
+            return Ok(self.clone());
+        }
         let scene = Scene {
             links: Vec::new(),
             ..self.scene.clone()

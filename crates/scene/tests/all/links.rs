@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+use pounding_scene::file::Law;
 use pounding_scene::{Error, LinkQuantity, Scene, Simulation};
 use serde_json::Value;
 
@@ -240,6 +241,29 @@ fn order_links_by_rk4() {
     }
 }
 
+/// A restrainer that turned back from yielding yielded again by rounding, without end: in 7 of these 40 rows.
+#[test]
+fn issue_a_restrainer_that_turns_back_does_not_yield_by_rounding() {
+    let examples = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../studies/examples");
+    let mut scene = Scene::read(&examples.join("bridge-with-restrainers.toml")).expect("a scene");
+    scene.contacts = None;
+    scene.duration_s = Some(9.0);
+    for place in 0..40 {
+        let stiffness = 2e7 + 1e8 * f64::from(place) / 39.0;
+        for link in &mut scene.links {
+            link.law = Law::Restrainer {
+                stiffness_n_per_m: stiffness,
+                slack_m: 0.02,
+                yield_force_n: Some(2e6),
+            };
+        }
+        let simulation = Simulation::new(&scene, examples.as_path()).expect("it is sound");
+        let run = simulation.run(None).unwrap_or_else(|error| panic!("{stiffness}: {error}"));
+        let pull = run.values(&simulation).of(LinkQuantity::PeakPullN, 0).expect("a pull");
+        is_close("pull", pull, 2e6, 1e-9);
+    }
+}
+
 /// The end of a refusal, after the name of the scene.
 fn refused(method: &str, links: &str) -> String {
     let structures = [
@@ -300,21 +324,21 @@ fn extreme_links_that_are_refused() {
     ];
     let all = all.map(|(method, link)| refused(&method, &link));
     insta::assert_snapshot!(all.join("\n"), @r#"
-        scene "linked": links[0].between[1].structure: found "towers", allowed one of "deck", "deck", "tower", or a place from 1 to 3
-        scene "linked": links[0].between[0].structure: found "deck", the name of several structures, allowed the place in the row, from 1 to 3
-        scene "linked": links[0].between[1].structure: found 4, allowed a name, or a place from 1 to 3
-        scene "linked": links[0].between[1].floor: found 4, allowed 0 for the ground, to 3 for the highest floor
-        scene "linked": links[0].between: found two ends that cannot move against each other, allowed two floors, or a floor and the ground or a wall
-        scene "linked": links[0].between: found two ends that cannot move against each other, allowed two floors, or a floor and the ground or a wall
-        scene "linked": links[0].side: found none, and the row does not tell which end is on the left, allowed "left" or "right", for the first of `between`
-        scene "linked": links[0].side: found a side against the order of the row, allowed that of the first end in the row; delete `side`
-        scene "linked": links[0].law.spring.stiffness_n_per_m: found 0, allowed a finite number > 0; a damper without a spring is a `dashpot`
-        scene "linked": links[0].law.spring.hardening_ratio: found 1, allowed 0 to less than 1
-        scene "linked": links[0].law.restrainer.slack_m: found -0.01, allowed a finite number >= 0
-        scene "linked": links[0].law.viscous.exponent: found 0.35, allowed 1/n with a whole number n from 1 to 10, such as 0.5, 0.25 or 0.2; take the nearest one, or leave the brace out and integrate by the method rk4
-        scene "linked": links[0].law.viscous.brace_stiffness_n_per_m: found none: a damper c |v|^α alone has no series at v = 0, which the exact method needs, allowed a number > 0; give the stiffness of its brace, or take the method rk4
-        scene.toml, line 7, column 66: links[0].law: found `rope`, allowed are `spring`, `dashpot`, `maxwell`, `viscous`, `restrainer`
-        scene "linked": method: found newmark, which does not take `links`, allowed exact or rk4; leave `method` out: the exact method is the default
-        scene "linked": method: found accuracy, which does not take `links`, allowed exact or rk4; leave `method` out: the exact method is the default
-        "#);
+    scene "linked": links[0].between[1].structure: found "towers", allowed one of "deck", "deck", "tower", or a place from 1 to 3
+    scene "linked": links[0].between[0].structure: found "deck", the name of several structures, allowed the place in the row, from 1 to 3
+    scene "linked": links[0].between[1].structure: found 4, allowed a name, or a place from 1 to 3
+    scene "linked": links[0].between[1].floor: found 4, allowed 0 for the ground, to 3 for the highest floor
+    scene "linked": links[0].between: found two ends that cannot move against each other, allowed two floors, or a floor and the ground or a wall
+    scene "linked": links[0].between: found two ends that cannot move against each other, allowed two floors, or a floor and the ground or a wall
+    scene "linked": links[0].side: found none, and the row does not tell which end is on the left, allowed "left" or "right", for the first of `between`
+    scene "linked": links[0].side: found a side against the order of the row, allowed that of the first end in the row; delete `side`
+    scene "linked": links[0].law.spring.stiffness_n_per_m: found 0, allowed a finite number > 0; a damper without a spring is a `dashpot`
+    scene "linked": links[0].law.spring.hardening_ratio: found 1, allowed 0 to less than 1
+    scene "linked": links[0].law.restrainer.slack_m: found -0.01, allowed a finite number >= 0
+    scene "linked": links[0].law.viscous.exponent: found 0.35, allowed 1/n with a whole number n from 1 to 10, such as 0.5, 0.25 or 0.2; take the nearest one, or leave the brace out and integrate by the method rk4
+    scene "linked": links[0].law.viscous.brace_stiffness_n_per_m: found none: a damper c |v|^α alone has no series at v = 0, which the exact method needs, allowed a number > 0; give the stiffness of its brace, or take the method rk4
+    scene.toml, line 7, column 66: links[0].law: found `rope`, allowed are `spring`, `dashpot`, `maxwell`, `viscous`, `restrainer`
+    scene "linked": method: found newmark, which does not take `links`, allowed exact or rk4; leave `method` out: the exact method is the default
+    scene "linked": method: found accuracy, which does not take `links`, allowed exact or rk4; leave `method` out: the exact method is the default
+    "#);
 }

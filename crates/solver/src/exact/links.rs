@@ -233,7 +233,8 @@ impl LinkState {
             Branch::Elastic => {
                 let beyond = |limit: f64, sign: f64| {
                     move |n: usize| match n {
-                        0 => sign * (line.force - limit),
+                        // Rounding of the force is no excess.
+                        0 => (sign * (line.force - limit)).min(0.0),
                         _ => sign * (line.stiffness * deformation(n)),
                     }
                 };
@@ -252,7 +253,7 @@ impl LinkState {
             }
             Branch::Slack => {
                 let pull = |n: usize| match n {
-                    0 => line.stretch,
+                    0 => line.stretch.min(0.0),
                     _ => -deformation(n),
                 };
                 watch.rise(len, pull, Event::Link(link, Change::To(Branch::Elastic)));

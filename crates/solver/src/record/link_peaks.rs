@@ -1,6 +1,6 @@
 //! Peaks of links.
 
-use crate::{Impact, Link, Peak, Push, Recorder, Relation, Span, Travel};
+use crate::{Impact, Link, LinkLaw, Peak, Push, Recorder, Relation, Span, Travel};
 
 /// Largest values of a link, each of one sign.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
@@ -27,6 +27,8 @@ pub struct LinkPeaks {
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct Record {
     relation: Relation,
+    /// Whether it can push both ends apart.
+    pushes: bool,
     ends: [(f64, f64); 2],
     peak: LinkPeak,
 }
@@ -36,6 +38,7 @@ impl LinkPeaks {
     pub fn new(links: &[Link]) -> Self {
         let record = |link: &Link| Record {
             relation: link.relation,
+            pushes: !matches!(link.law, LinkLaw::Restrainer(_)),
             ends: [(0.0, 0.0); 2],
             peak: LinkPeak::default(),
         };
@@ -60,6 +63,10 @@ impl LinkPeaks {
         let record = &mut self.links[push.pair];
         let peak = &mut record.peak;
         for (force, time) in push.forces.into_iter().zip([span.start_time, span.end_time]) {
+            // At the end of a pull the force is zero but for rounding.
+            if force > 0.0 && !record.pushes {
+                continue;
+            }
             let side = if force > 0.0 { &mut peak.push } else { &mut peak.pull };
             side.take(force, time);
         }
