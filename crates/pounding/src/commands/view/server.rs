@@ -175,9 +175,10 @@ impl Server {
             more(stream, &mut bytes, until)?;
         }
         bytes.truncate(length + length_of_body);
-        Ok(Ok(match head.is_call() {
-            true => Asked::Call(head.path, bytes.split_off(length)),
-            false => Asked::File(head.path),
+        Ok(Ok(if head.is_call() {
+            Asked::Call(head.path, bytes.split_off(length))
+        } else {
+            Asked::File(head.path)
         }))
     }
 
