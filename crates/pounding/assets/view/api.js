@@ -9,7 +9,7 @@ export function takeToken() {
   if (token) {
     given.delete("token");
     try { localStorage.setItem(KEY, token); } catch { /* A browser that keeps nothing: this window has it. */ }
-    history.replaceState(null, "", given.size ? `#${given}` : location.pathname);
+    setAddress(given);
     return token;
   }
   try { return localStorage.getItem(KEY) ?? ""; } catch { return ""; }
@@ -34,7 +34,12 @@ export function writeState({ guide, knobs }) {
   const state = new URLSearchParams();
   if (guide) state.set("guide", guide);
   for (const [id, value] of Object.entries(knobs)) state.set(id, value === null ? "none" : String(value));
-  history.replaceState(null, "", state.size ? `#${state}` : location.pathname);
+  setAddress(state);
+}
+
+function setAddress(state) {
+  const text = String(state);
+  history.replaceState(null, "", text ? `#${text}` : location.pathname);
 }
 
 /** A refusal of the server, in its words. */

@@ -64,6 +64,7 @@ function show([fact, run]) {
   document.title = `${summary.scene.name} – pounding`;
   showAnswer(run);
   row.show(player, gapsOf(summary), run.knobs.find((knob) => knob.id === "direction").value);
+  if (summary.scene.arrivals_s) find("scale").textContent += " The bases move apart, too: the panel of gaps shows it, and the row does not.";
   showCharts(run);
   const guide = about.guides.find((one) => one.key === state.guide);
   knobs.show(run.knobs, guide?.knobs ?? []);

@@ -80,7 +80,7 @@ pub(super) const ALL: [Guide; 6] = [
         text: &[
             "Choose other laws. The first touch stays at its instant. Among laws of the same restitution the first impulse goes from 200 to \
              400 kN·s, and the largest force from 2700 to 8000 kN.",
-            "Then drag the stiffness. Ten times the stiffness gives some 2.5 times the force of a Hertz spring. Nobody knows this stiffness, so \
+            "Then drag the stiffness. Ten times the stiffness gives about three times the force here. Nobody knows this stiffness, so \
              the force is no design force.",
         ],
         scene: PAIR,

@@ -1,8 +1,10 @@
 //! A turned scene as the page shows it: the summary that `run --json` prints, the first screen of the answer, and the run to be played.
 
+use std::panic::resume_unwind;
 use std::path::Path;
 use std::sync::atomic::AtomicBool;
 use std::sync::{Arc, Mutex, PoisonError};
+use std::thread;
 
 use pounding::assess::Separation;
 use pounding::contact::{ContactLaw, Stereomechanical};
@@ -134,7 +136,7 @@ impl Base {
         let scene = self.turned(knobs)?;
         let prepared = self.prepared(&scene, Some(stop))?;
         let interval = Player::interval(&prepared);
-        let ((review, exact), (other, gaps)) = rayon::join(
+        let ((review, exact), (other, gaps)) = both(
             || {
                 let review = prepared.review_recorded(true, Some(interval));
                 (review, Player::exact_beside(&prepared))
@@ -187,11 +189,20 @@ impl Base {
             return Ok(widths.clone());
         }
         let mirrored = prepared.under(|record| record.scaled(-1.0))?;
-        let (given, reversed) = rayon::join(|| Separation::of(prepared), || Separation::of(&mirrored));
+        let (given, reversed) = both(|| Separation::of(prepared), || Separation::of(&mirrored));
         let widths = [given?, reversed?];
         *known() = Some((row, widths.clone()));
         Ok(widths)
     }
+}
+
+/// Does two things at once. Threads of their own: those of the pool may be busy with a long run of another window.
+fn both<A, B: Send>(one: impl FnOnce() -> A, other: impl FnOnce() -> B + Send) -> (A, B) {
+    thread::scope(|scope| {
+        let other = scope.spawn(other);
+        let one = one();
+        (one, other.join().unwrap_or_else(|panic| resume_unwind(panic)))
+    })
 }
 
 /// A contact whose gap and law are those of every other one.
