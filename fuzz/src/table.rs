@@ -7,12 +7,8 @@ use pounding_assess::{FolderUse, Suite};
 
 /// Reads a folder with two lists of numbers and the bytes as a table of them.
 pub(crate) fn check(bytes: &[u8], folder: &Path) {
-    let values = |rate: f64| {
-        (0..40)
-            .map(|step| format!("{}\n", (rate * f64::from(step)).sin()))
-            .collect::<String>()
-    };
-    for (name, rate) in [("one.txt", 0.3), ("two.txt", 0.7)] {
+    let values = |rate: i32| (0..40).map(|step| format!("{}\n", (rate * step) % 11 - 5)).collect::<String>();
+    for (name, rate) in [("one.txt", 3), ("two.txt", 7)] {
         fs::write(folder.join(name), values(rate)).expect("a disk");
     }
     for table in ["records.csv", "_SearchResults.csv"] {

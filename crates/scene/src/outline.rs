@@ -201,7 +201,7 @@ mod tests {
     fn reference_a_line_in_any_direction() {
         for degrees in 0..360 {
             let angle = f64::from(degrees).to_radians();
-            let point = [angle.cos(), angle.sin()];
+            let point = [libm::cos(angle), libm::sin(angle)];
             let found = percentiles(&[point, point.map(|one| -0.3 * one), [0.0, 0.0]]);
             close(found, [0.0, 0.5_f64.sqrt(), 1.0]);
         }
@@ -211,7 +211,7 @@ mod tests {
     #[test]
     fn reference_a_square() {
         let found = percentiles(&[[1.0, 1.0], [-1.0, 1.0]]);
-        close(found, [1.0, 2.0_f64.sqrt() * 22.5_f64.to_radians().cos(), 2.0_f64.sqrt()]);
+        close(found, [1.0, 2.0_f64.sqrt() * libm::cos(22.5_f64.to_radians()), 2.0_f64.sqrt()]);
     }
 
     /// A point above the middle of a square's side adds corners in its own direction alone. Angles in steps are the second route.
@@ -224,7 +224,7 @@ mod tests {
         let n = 100_000;
         let extent = |index: i32| {
             let angle = PI * (f64::from(index) + 0.5) / f64::from(n);
-            let [x, y] = [angle.cos(), angle.sin()];
+            let [x, y] = [libm::cos(angle), libm::sin(angle)];
             points.iter().map(|point| (x * point[0] + y * point[1]).abs()).fold(0.0, f64::max)
         };
         let mut extents: Vec<f64> = (0..n).map(extent).collect();
@@ -248,7 +248,7 @@ mod tests {
         for point in &points {
             assert!(beyond(*point) < 0.02 * most, "{point:?}: {}", beyond(*point));
             let angle = libm::atan2(point[1], point[0]);
-            let outside = [1.001 * most * angle.cos(), 1.001 * most * angle.sin()];
+            let outside = [1.001 * most * libm::cos(angle), 1.001 * most * libm::sin(angle)];
             assert!(beyond(outside) > 0.0, "{outside:?}");
         }
     }

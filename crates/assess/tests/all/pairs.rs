@@ -156,7 +156,7 @@ fn reference_factors_of_pairs_to_a_target() {
         Scaling::Target(target) | Scaling::Raised { target, .. } => target.factors,
         other => panic!("{other:?}"),
     };
-    let mean = each.iter().product::<f64>().powf(0.25);
+    let mean = each.iter().product::<f64>().sqrt().sqrt();
     match found {
         TargetFactors::Known(factor) => close(factor, mean),
         other => panic!("{other:?}"),

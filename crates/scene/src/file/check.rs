@@ -242,13 +242,11 @@ pub(crate) fn check_record(record: &RecordUse) -> Result<(), Refused> {
 /// Refuses fields of a pair of components that contradict each other.
 fn check_pair(file: &FileUse) -> Result<(), Refused> {
     let Some(axis) = file.axis_deg else {
-        return match &file.second_file {
-            None => Ok(()),
-            Some(_) => {
-                let found = Refused::at("record.second_file").found("it without `axis_deg`");
-                Err(found.allowed_is("it beside `axis_deg`").help("name the axis of the row"))
-            }
-        };
+        if file.second_file.is_none() {
+            return Ok(());
+        }
+        let found = Refused::at("record.second_file").found("it without `axis_deg`");
+        return Err(found.allowed_is("it beside `axis_deg`").help("name the axis of the row"));
     };
     require((-360.0..=360.0).contains(&axis), "record.axis_deg", axis, "-360 to 360")?;
     if file.component.is_some() {
