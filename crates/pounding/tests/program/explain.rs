@@ -29,10 +29,10 @@ fn issue_words_of_newcomers_are_explained() {
         ("base isolator", "first storey"),
         ("event", "components and copies"),
         ("bumper", "pressed flat"),
-        ("link", "not modelled"),
+        ("link", "restrainer between two floors"),
         ("isolator", "first storey"),
         ("isolation", "first storey"),
-        ("damper", "not modelled"),
+        ("damper", "is a link"),
         ("lanes", "vector"),
         ("hunt_crossley", "Hunt & Crossley"),
     ] {
