@@ -7,16 +7,11 @@ use pounding_assess::{FolderUse, Suite};
 
 /// Reads a folder with two lists of numbers and the bytes as a table of them.
 pub(crate) fn check(bytes: &[u8], folder: &Path) {
-<<<<<<< HEAD
     let values = |rate: f64| {
         let one = |step: i32| format!("{}\n", rate * f64::from(step * (40 - step)));
         (0..40).map(one).collect::<Vec<_>>().concat()
     };
     for (name, rate) in [("one.txt", 0.3), ("two.txt", 0.7)] {
-=======
-    let values = |rate: i32| (0..40).map(|step| format!("{}\n", (rate * step) % 11 - 5)).collect::<String>();
-    for (name, rate) in [("one.txt", 3), ("two.txt", 7)] {
->>>>>>> i65
         fs::write(folder.join(name), values(rate)).expect("a disk");
     }
     for table in ["records.csv", "_SearchResults.csv"] {

@@ -206,17 +206,14 @@ impl Suite {
             axis_deg: None,
             ..asked.declared.clone()
         };
-<<<<<<< HEAD
         let paths = if asked.sub_folders {
             let folders = paths.iter().map(|path| Self::folders_in(path));
             folders.collect::<Result<Vec<_>, _>>()?.concat()
         } else {
             paths.to_vec()
         };
-=======
->>>>>>> i65
         let (mut left_out, mut files) = (Vec::new(), Vec::new());
-        for entry in entries_of(paths, asked.sub_folders)? {
+        for entry in entries_of(&paths)? {
             match entry {
                 FolderEntry::File(file) => files.push(file),
                 FolderEntry::Other(other) => left_out.push(other),
@@ -225,12 +222,8 @@ impl Suite {
         let tables = Tables::among(&files, &asked)?;
         left_out.extend(tables.paths.iter().map(|path| LeftOut::table(path)));
         files.retain(|file| !tables.paths.contains(&file.path));
-<<<<<<< HEAD
         let named: Vec<_> = files.iter().zip(names_of(&files)).collect();
         let read = parallel::each(&named, |(file, named)| of_file(file, named, &declared, &tables.of(&file.path)));
-=======
-        let read = of_files(&files, &declared, &tables);
->>>>>>> i65
         let n_entries = files.len() + left_out.len();
         let (mut all, mut first) = (Vec::new(), None);
         for (file, read) in files.iter().zip(read) {
@@ -380,18 +373,6 @@ fn whether_it_shakes(channel: &Channel, named: &NamedFile, several: bool) -> Res
         (None, Some(Direction::Vertical)) => Err(LeftOutKind::VerticalByName.saying("")),
         (told, by_name) => Ok(told.or(by_name)),
     }
-}
-
-/// Reads the motions of files, in their order.
-fn of_files(files: &[RecordFile], declared: &FileUse, tables: &Tables) -> Vec<Vec<Result<ReadMotion, Unread>>> {
-    // A name is compared with the other names of its folder; the files of a folder follow each other.
-    let folders = files.chunk_by(|one, other| one.path.parent() == other.path.parent());
-    let named = folders.flat_map(|files| {
-        let names: Vec<String> = files.iter().map(|file| shown_name(&file.path)).collect();
-        NamedFile::of_all(&names)
-    });
-    let named: Vec<_> = files.iter().zip(named).collect();
-    parallel::each(&named, |(file, named)| of_file(file, named, declared, &tables.of(&file.path)))
 }
 
 /// Reads the motions of a file: its only one, the declared component, or every component; with a row of a table what the row tells.

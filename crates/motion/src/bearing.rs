@@ -162,11 +162,7 @@ mod tests {
     fn reference_a_motion_along_one_axis_is_found_again() {
         let along = [1.0, -0.5, 0.25];
         let [north, east, west] =
-<<<<<<< HEAD
             [0.0_f64, 90.0, 270.0].map(|azimuth| column(along.map(|one| one * libm::cos((azimuth - 30.0_f64).to_radians()))));
-=======
-            [0.0_f64, 90.0, 270.0].map(|azimuth| column(along.map(|one| one * libm::cos((azimuth - 30.0).to_radians()))));
->>>>>>> i65
         for (other, azimuth) in [(&east, 90.0), (&west, 270.0)] {
             let axis = |axis: f64| north.rotated(other, [0.0, azimuth], axis).expect("a pair").values;
             let close = |found: Vec<f64>, factor: f64| found.iter().zip(along).all(|(found, one)| (found - factor * one).abs() < 1e-15);
@@ -175,11 +171,7 @@ mod tests {
             assert!(close(axis(210.0), -1.0), "from the other end");
         }
         // Lucerne 1992 has 260 and 345.
-<<<<<<< HEAD
         let [one, other] = [260.0_f64, 345.0].map(|azimuth| column(along.map(|one| one * libm::cos((azimuth - 30.0_f64).to_radians()))));
-=======
-        let [one, other] = [260.0_f64, 345.0].map(|azimuth| column(along.map(|one| one * libm::cos((azimuth - 30.0).to_radians()))));
->>>>>>> i65
         let found = one.rotated(&other, [260.0, 345.0], 30.0).expect("a pair");
         assert!(
             found.values.iter().zip(along).all(|(found, one)| (found - one).abs() < 1e-14),

@@ -139,22 +139,26 @@ fn own(bytes: &[u8], path: &Path) -> Result<Option<Vec<(String, TableRow)>>, Err
         .comment(Some(b'#'))
         .trim(csv::Trim::All)
         .from_reader(text.as_bytes());
+    let refused = |line: u64, found: String, allowed: String| {
+        let found = Refused::at(path).found(format!("{found} in line {line}"));
+        Error::from(found.allowed_are(allowed))
+    };
     let header = reader
         .headers()
-        .map_err(|error| refused(path, 1, &error.to_string(), "columns between commas"))?
+        .map_err(|error| refused(1, error.to_string(), "columns between commas".into()))?
         .clone();
     if !header.iter().any(|name| name == "file") {
         return Ok(None);
     }
     if let Some(other) = header.iter().find(|name| !COLUMNS.contains(name)) {
-        return Err(refused(path, 1, &format!("the column {other:?}"), &COLUMNS.join(", ")));
+        return Err(refused(1, format!("the column {other:?}"), COLUMNS.join(", ")));
     }
-    let row = |record: csv::Result<csv::StringRecord>| {
+    let mut rows = Vec::new();
+    for record in reader.records() {
         let record = record.map_err(|error| {
             let line = error.position().map_or(0, csv::Position::line);
-            refused(path, line, &error.to_string(), "as many values as names of columns")
+            refused(line, error.to_string(), "as many values as names of columns".into())
         })?;
-<<<<<<< HEAD
         let line = record.position().map_or(0, csv::Position::line);
         let cell = |name: &str| {
             let at = header.iter().position(|column| column == name)?;
@@ -181,51 +185,6 @@ fn own(bytes: &[u8], path: &Path) -> Result<Option<Vec<(String, TableRow)>>, Err
         ));
     }
     Ok(Some(rows))
-=======
-        row(&header, &record, path)
-    };
-    reader.records().map(row).collect::<Result<_, _>>().map(Some)
-}
-
-fn refused(path: &Path, line: u64, found: &str, allowed: &str) -> Error {
-    let found = Refused::at(path).found(format!("{found} in line {line}"));
-    found.allowed_are(allowed.to_owned()).into()
-}
-
-/// Reads a row of a table that users write: the file, and what is told about it.
-fn row(header: &csv::StringRecord, record: &csv::StringRecord, path: &Path) -> Result<(String, TableRow), Error> {
-    let line = record.position().map_or(0, csv::Position::line);
-    let cell = |name: &str| {
-        let at = header.iter().position(|column| column == name)?;
-        record.get(at).filter(|cell| !cell.is_empty())
-    };
-    let number = |name: &str, is_allowed: fn(f64) -> bool, allowed: &str| match cell(name) {
-        None => Ok(None),
-        Some(text) => match text.parse::<f64>() {
-            Ok(value) if value.is_finite() && is_allowed(value) => Ok(Some(value)),
-            _ => Err(refused(
-                path,
-                line,
-                &format!("the {name} {text:?}"),
-                &format!("{allowed}, or nothing"),
-            )),
-        },
-    };
-    let unit = cell("unit").map(|text| {
-        let unit = serde_json::from_value(serde_json::Value::from(text));
-        let units = "g, mg, g_per_10, m_per_s2, cm_per_s2, mm_per_s2";
-        unit.map_err(|_| refused(path, line, &format!("the unit {text:?}"), units))
-    });
-    let file = cell("file").ok_or_else(|| refused(path, line, "no file", "a name of a file"))?;
-    let row = TableRow {
-        component: cell("component").map(str::to_owned),
-        unit: unit.transpose()?,
-        time_step_s: number("time_step_s", |step| step > 0.0, "seconds above 0")?,
-        factor: number("factor", |factor| factor != 0.0, "a number that is not 0")?,
-        event: cell("event").map(str::to_owned),
-    };
-    Ok((file.to_owned(), row))
->>>>>>> i65
 }
 
 /// Reads the files and scale factors of a selection of PEER; `None` if it has no such table.

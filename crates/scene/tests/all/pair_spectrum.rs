@@ -57,12 +57,8 @@ fn reference_a_polarised_pair() {
 fn reference_a_ground_that_circles() {
     let (frequency, damping) = (0.7, 0.1);
     let step = 0.005;
-<<<<<<< HEAD
     let squared = |value: f64| value * value;
     let ramp = |time: f64| squared(libm::sin(0.25 * TAU * (time / 40.0).min(1.0)));
-=======
-    let ramp = |time: f64| 0.5 - 0.5 * libm::cos(0.5 * TAU * (time / 40.0).min(1.0));
->>>>>>> i65
     let made = |phase: f64| {
         let sample = |index: i32| {
             let time = f64::from(index) * step;
@@ -73,12 +69,7 @@ fn reference_a_ground_that_circles() {
     let pair = [made(0.0), made(TAU / 4.0)];
     let ratio: f64 = 0.5;
     let values = spectrum([&pair[0], &pair[1]], &[ratio / frequency], damping)[0];
-<<<<<<< HEAD
     let wanted = 1.0 / (squared(1.0 - ratio * ratio) + squared(2.0 * damping * ratio)).sqrt();
-=======
-    let [own, damped] = [1.0 - ratio * ratio, 2.0 * damping * ratio];
-    let wanted = 1.0 / (own * own + damped * damped).sqrt();
->>>>>>> i65
     // The ground is linear between samples, which takes sinc² of the frequency off.
     for (what, found) in [("RotD00", values.rotd00), ("RotD50", values.rotd50), ("RotD100", values.rotd100)] {
         close(found, wanted, 5e-4, what);
@@ -98,11 +89,7 @@ fn limit_many_angles_of_single_spectra() {
     for (period, damping) in [(0.2, 0.05), (1.3, 0.02)] {
         let values = spectrum([&one, &other], &[period], damping)[0];
         let at = |degrees: f64| {
-<<<<<<< HEAD
             let (sine, cosine) = libm::sincos(degrees.to_radians());
-=======
-            let [sine, cosine] = [libm::sin(degrees.to_radians()), libm::cos(degrees.to_radians())];
->>>>>>> i65
             let turned = with(&one, |(index, sample)| cosine * sample + sine * other.samples()[index]);
             response_spectrum(&turned, &[period], damping).expect("a spectrum")[0].pseudo_acceleration
         };
