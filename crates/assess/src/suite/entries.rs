@@ -61,19 +61,13 @@ impl RecordFile {
 }
 
 /// Returns the entries of folders, each in the order of its names, the files that are named themselves, and the files of archives in the place
-/// of the archives; on request also the entries of folders within folders.
+/// of the archives.
 ///
 /// # Errors
 /// Refuses a folder that cannot be read.
-pub(super) fn entries_of(paths: &[PathBuf], sub_folders: bool) -> Result<Vec<FolderEntry>, Error> {
-    let paths = if sub_folders {
-        let folders = paths.iter().map(|path| Suite::folders_in(path)).collect::<Result<Vec<_>, _>>()?;
-        folders.concat()
-    } else {
-        paths.to_vec()
-    };
+pub(super) fn entries_of(paths: &[PathBuf]) -> Result<Vec<FolderEntry>, Error> {
     let mut entries = Vec::new();
-    for path in &paths {
+    for path in paths {
         if path.is_dir() {
             let found = names_in(path)?.into_iter();
             // Sub-folders that are read on request are among the paths.
