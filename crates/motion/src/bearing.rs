@@ -3,7 +3,7 @@
 use crate::direction::telling_words;
 use crate::named_file::Way;
 use crate::named_file::way::COMPASS;
-use crate::{Accelerogram, Reading, Refused};
+use crate::{Accelerogram, NamedFile, Reading, Refused};
 use pounding_text::digits;
 
 /// A `Bearing` is the direction of positive values of a horizontal component, according to its name.
@@ -13,6 +13,16 @@ pub struct Bearing {
     pub(crate) kind: char,
     /// Angle clockwise from north, or from the first component of the pair \[°\].
     pub(crate) degrees: u16,
+}
+
+impl NamedFile {
+    /// Returns the bearing of the component; `None` if the name does not show it.
+    pub fn bearing(&self) -> Option<Bearing> {
+        match self.way? {
+            Way::Level(kind, degrees) => Some(Bearing { kind, degrees }),
+            Way::Upright(_) | Way::Channel => None,
+        }
+    }
 }
 
 impl Bearing {

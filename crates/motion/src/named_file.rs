@@ -14,7 +14,7 @@ pub(crate) use way::Way;
 
 pub use quantity::Quantity;
 
-use crate::{Bearing, Direction};
+use crate::Direction;
 
 /// A `NamedFile` holds the facts that the name of a file tells.
 ///
@@ -36,7 +36,7 @@ pub struct NamedFile {
     pub rsn: Option<u32>,
     /// Whether the sensor is the lower one of a station of KiK-net: `IWTH25.EW1`, or `NS1` beside `NS2`.
     pub in_borehole: bool,
-    way: Option<Way>,
+    pub(crate) way: Option<Way>,
 }
 
 impl NamedFile {
@@ -87,14 +87,6 @@ impl NamedFile {
         }
         let are_apart = (self.way.zip(other.way)).is_some_and(|(one, other)| one.pairs(other));
         are_apart && self.stem == other.stem && self.rsn == other.rsn && self.word != other.word
-    }
-
-    /// Returns the bearing of the component; `None` if the name does not show it.
-    pub fn bearing(&self) -> Option<Bearing> {
-        match self.way? {
-            Way::Level(kind, degrees) => Some(Bearing { kind, degrees }),
-            Way::Upright(_) | Way::Channel => None,
-        }
     }
 }
 

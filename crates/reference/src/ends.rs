@@ -2,8 +2,7 @@
 
 use pounding_solver::{Point, Relation, Share};
 
-use super::model::Structure;
-use super::storey::StoreyColumns;
+use super::storey::{StoreyColumns, Structure};
 
 /// A point with a part `lean` of the far floor's motion and the rest of the near floor's motion. On a floor both are this floor.
 #[derive(Debug, Clone, Copy)]

@@ -57,6 +57,7 @@ mod error;
 mod events;
 mod impact;
 mod law;
+mod link_motion;
 mod links;
 mod model;
 mod phases;

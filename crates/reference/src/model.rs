@@ -6,7 +6,7 @@ use super::SecondRouteError;
 use super::ends::Ends;
 use super::law::Law;
 use super::links::Link;
-use super::storey::{Smooth, StoreyColumns};
+use super::storey::{Smooth, StoreyColumns, Structure};
 
 /// Index in the vector of unknowns of the time within the present segment of the record \[s\].
 ///
@@ -37,27 +37,6 @@ pub(super) struct Model {
     pub pairs: Vec<Neighbours>,
     pub links: Vec<Link>,
     n_unknowns: usize,
-}
-
-/// A floor with the storey below it, or a wall with inverse mass 0.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Structure {
-    pub inverse_mass: f64,
-    /// Floor on which the storey stands; `None` on the ground.
-    pub below: Option<usize>,
-    /// The lowest of the floors that move each other through storeys and links.
-    pub body: usize,
-    /// Damping coefficient of the storey \[N·s/m\].
-    pub damping: f64,
-    /// What yielding takes of it \[N·s/m\].
-    pub elastic_damping: f64,
-    /// Damping coefficient of the floor against the ground, in addition to that of a storey on the ground \[N·s/m\].
-    pub ground_damping: f64,
-    pub columns: StoreyColumns,
-    /// Arrival of the ground motion \[s\].
-    pub arrival: f64,
-    pub initial_displacement: f64,
-    pub initial_velocity: f64,
 }
 
 /// Two points that can touch.

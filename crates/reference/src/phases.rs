@@ -89,7 +89,7 @@ impl ContactPhase {
 impl Phases {
     /// Phases at t = 0.
     pub(super) fn new(model: &Model) -> Self {
-        let structure = |structure: &super::model::Structure| {
+        let structure = |structure: &super::storey::Structure| {
             let own = structure.initial_velocity;
             let below = structure.below.map(|below| model.structures[below].initial_velocity);
             let drift = model.initial_drift(structure);
@@ -116,7 +116,7 @@ impl Phases {
         Self {
             structures: model.structures.iter().map(structure).collect(),
             pairs: model.pairs.iter().map(pair).collect(),
-            links: model.links.iter().map(|link| LinkPhase::new(link, model)).collect(),
+            links: model.links.iter().map(|link| LinkPhase::new(link, &model.structures)).collect(),
         }
     }
 

@@ -23,6 +23,27 @@ pub(super) enum Branch {
     Smooth { side: f64 },
 }
 
+/// A floor with the storey below it, or a wall with inverse mass 0.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Structure {
+    pub inverse_mass: f64,
+    /// Floor on which the storey stands; `None` on the ground.
+    pub below: Option<usize>,
+    /// The lowest of the floors that move each other through storeys and links.
+    pub body: usize,
+    /// Damping coefficient of the storey \[N·s/m\].
+    pub damping: f64,
+    /// What yielding takes of it \[N·s/m\].
+    pub elastic_damping: f64,
+    /// Damping coefficient of the floor against the ground, in addition to that of a storey on the ground \[N·s/m\].
+    pub ground_damping: f64,
+    pub columns: StoreyColumns,
+    /// Arrival of the ground motion \[s\].
+    pub arrival: f64,
+    pub initial_displacement: f64,
+    pub initial_velocity: f64,
+}
+
 /// Columns of a storey.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct StoreyColumns {

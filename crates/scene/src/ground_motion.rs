@@ -1,5 +1,9 @@
 //! The ground motion that shakes a row, from the use of a record in a scene.
 
+mod pair;
+
+pub use pair::PairAngles;
+
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -193,7 +197,7 @@ impl Origin {
     /// else shows their quantity.
     pub fn of(path: &Path, bytes: &[u8], declared: &FileUse) -> Result<Self, Error> {
         if let Some(axis) = declared.axis_deg {
-            return crate::pair::along(axis, path, bytes, declared);
+            return pair::along(axis, path, bytes, declared);
         }
         let file = read_declared(bytes, &declared.declared());
         let file = file.map_err(|refused| refused.by(declared.naming).in_file(path))?;

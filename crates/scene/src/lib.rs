@@ -38,7 +38,6 @@ pub mod file;
 mod ground_motion;
 mod judge;
 mod outline;
-mod pair;
 mod pair_spectrum;
 pub mod parallel;
 mod quantity;
@@ -56,6 +55,7 @@ pub use file::{
     Building, Capacities, ColumnShape, Columns, Contact, DampedStiffness, Damping, FileUse, FloorHeights, Generated, Link, Method, PDelta,
     Property, RecordUse, STANDARD_GRAVITY, Scene, Sdof, Source, Standing, Storey, Structure,
 };
+pub use ground_motion::PairAngles;
 pub use ground_motion::{GroundMotion, Origin, SharedMotion, hexadecimal, sha256};
 pub use judge::certificate::{Certificate, CertificateRequest};
 pub use judge::certified::{CertificateFact, CertificateValue, DeliveredBy, DeliveredNumber};
@@ -65,7 +65,6 @@ pub use judge::limits::{ContactLimit, FreeLimit, MethodLimits};
 pub use judge::response::{Excess, ExcessKind, Often};
 pub use judge::review::{Errors, Review};
 pub use judge::warning::{Warning, WarningPlace};
-pub use pair::PairAngles;
 pub use pair_spectrum::{PairSpectrum, PairValues, pair_spectra};
 pub use pounding_text::Refused;
 pub use quantity::{FloorQuantity, LinkQuantity, PairQuantity, Quantity, QuantityEntry, QuantityKind, RunValues};

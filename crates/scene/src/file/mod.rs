@@ -8,6 +8,7 @@ mod building;
 pub(crate) mod check;
 mod choice;
 mod columns;
+mod damped;
 mod damping;
 pub(crate) mod error;
 pub(crate) mod fault;

@@ -1,10 +1,9 @@
 //! Collapse of a storey under gravity, which ends a run, and the drift beyond which gravity alone would bring it down.
 
 use pounding_solver::Leaning;
-use pounding_text::percent;
 
 use super::Simulation;
-use crate::{Floor, RunResult, Scene, StoreyProperties};
+use crate::{Floor, Scene, StoreyProperties};
 
 /// A storey that collapses under gravity: the run ends there, with everything until then.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -70,16 +69,5 @@ impl Simulation {
             storey: self.floors.storey_of(floor),
             time_s,
         }
-    }
-
-    /// The collapse that ended a run, in a sentence without a full stop; `None` if all storeys stand.
-    pub fn says_collapse(&self, result: &RunResult) -> Option<String> {
-        let collapse = result.collapse?;
-        Some(format!(
-            "{} collapses under gravity: at t = {:.4} s the drift of its storey passes {} of its height, and the run ends",
-            self.floors.all()[collapse.floor].name,
-            collapse.time_s,
-            percent(self.scene.collapse_drift())
-        ))
     }
 }

@@ -10,7 +10,7 @@ use pounding_solver::{
 use super::Simulation;
 use crate::settings::out_of_range;
 use crate::{Collapse, ColumnBeside, Error, Method, Structure};
-use pounding_text::{RefusalKind, Refused, digits, short};
+use pounding_text::{RefusalKind, Refused, digits, percent, short};
 
 /// Number of looks at a motion in the shortest natural period, unless its series allows fewer; see [`Closings`].
 const LOOKS_PER_PERIOD: f64 = 200.0;
@@ -193,6 +193,17 @@ impl Simulation {
         });
         let work = run(&mut recorders).map_err(|source| self.ended(source))?;
         Ok(self.result(recorders, work))
+    }
+
+    /// The collapse that ended a run, in a sentence without a full stop; `None` if all storeys stand.
+    pub fn says_collapse(&self, result: &RunResult) -> Option<String> {
+        let collapse = result.collapse?;
+        Some(format!(
+            "{} collapses under gravity: at t = {:.4} s the drift of its storey passes {} of its height, and the run ends",
+            self.floors.all()[collapse.floor].name,
+            collapse.time_s,
+            percent(self.scene.collapse_drift())
+        ))
     }
 
     /// Empty recorders of everything that was asked for.

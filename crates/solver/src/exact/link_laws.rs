@@ -3,9 +3,9 @@
 //! Springs and restrainers lie on a line between events, F = h + a k δ + c δ̇. The part h = k′ (δ − origin), k′ = (1 − a) k, stays within
 //! limits; a restrainer lets go at h = 0. A braced damper has the state F, whose rate is a product of series.
 
-use crate::LinkLaw;
 use crate::model::link::Braced;
 use crate::roots::CAPACITY;
+use crate::{LinkLaw, RestoringForce, Row};
 
 /// The branch of a spring or a restrainer.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -17,6 +17,19 @@ pub(super) enum Branch {
     Lower,
     /// A restrainer without a force.
     Slack,
+}
+
+/// What happens to a link at an instant.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Change {
+    /// A spring or a restrainer goes on to this branch.
+    To(Branch),
+    /// The rate of deformation changes sign.
+    Turns,
+    /// The force has an extremum.
+    Peaks,
+    /// The force of a braced damper passes through zero.
+    PassesZero,
 }
 
 /// The part h of a spring or a restrainer.
@@ -176,6 +189,44 @@ impl Flow {
     /// Whether the force passes through zero with a kink: an odd power needs no sign.
     pub(super) fn has_kink(&self) -> bool {
         self.damper.inverse_exponent.is_multiple_of(2)
+    }
+}
+
+/// Forces of links on a floor, as series of what they add to the forces against its motion.
+#[derive(Debug, Clone)]
+pub(super) struct Linked {
+    pub(super) against: [f64; CAPACITY],
+    /// Magnitude of the terms of these forces \[N\].
+    pub(super) magnitude: f64,
+    /// Sums of the stiffness \[N/m\], dashpots \[N·s/m\] and relaxation rates \[1/s\] of its links.
+    pub(super) stiffness: f64,
+    pub(super) damping: f64,
+    pub(super) relaxation: f64,
+}
+
+impl Linked {
+    /// The links of a node; `None` if there are none.
+    pub(super) fn at<Column: RestoringForce>(row: &Row<Column>, node: usize) -> Option<Box<Self>> {
+        let at = row.linking().at(node);
+        if at.is_empty() {
+            return None;
+        }
+        let mut linked = Self {
+            against: [0.0; CAPACITY],
+            magnitude: 0.0,
+            stiffness: 0.0,
+            damping: 0.0,
+            relaxation: 0.0,
+        };
+        for link in at {
+            let law = row.links()[link.pair].law;
+            linked.stiffness += law.stiffness();
+            linked.damping += law.dashpot();
+            if let LinkLaw::Braced(damper) = law {
+                linked.relaxation = linked.relaxation.max(damper.stiffness / damper.coefficient);
+            }
+        }
+        Some(Box::new(linked))
     }
 }
 

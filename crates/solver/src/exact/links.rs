@@ -1,26 +1,13 @@
 //! Links between floors: their state between events, and their force as a power series. Floors that a link joins move as one body.
 
 use crate::exact::ExactRun;
-use crate::exact::link_laws::{Branch, Flow, Law, sign};
+use crate::exact::link_laws::{Branch, Change, Flow, Law, sign};
 use crate::exact::member::Member;
 use crate::exact::rounding::weighed;
 use crate::exact::watch::{Event, Watch};
 use crate::roots::{CAPACITY, SHORTEST_WAY};
 use crate::span::{Power, value};
-use crate::{Link, LinkLaw, Motion, Point, Recorder, Relation, RestoringForce, Row, RunError, Travel};
-
-/// What happens to a link at an instant.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Change {
-    /// A spring or a restrainer goes on to this branch.
-    To(Branch),
-    /// The rate of deformation changes sign.
-    Turns,
-    /// The force has an extremum.
-    Peaks,
-    /// The force of a braced damper passes through zero.
-    PassesZero,
-}
+use crate::{Link, Motion, Point, Recorder, Relation, RestoringForce, Row, RunError, Travel};
 
 /// A link between events.
 #[derive(Debug, Clone)]
@@ -39,44 +26,6 @@ pub(super) struct LinkState {
     deformation: [f64; CAPACITY],
     rate: [f64; CAPACITY],
     pub(super) force: [f64; CAPACITY],
-}
-
-/// Forces of links on a floor, as series of what they add to the forces against its motion.
-#[derive(Debug, Clone)]
-pub(super) struct Linked {
-    pub(super) against: [f64; CAPACITY],
-    /// Magnitude of the terms of these forces \[N\].
-    pub(super) magnitude: f64,
-    /// Sums of the stiffness \[N/m\], dashpots \[N·s/m\] and relaxation rates \[1/s\] of its links.
-    pub(super) stiffness: f64,
-    pub(super) damping: f64,
-    pub(super) relaxation: f64,
-}
-
-impl Linked {
-    /// The links of a node; `None` if there are none.
-    pub(super) fn at<Column: RestoringForce>(row: &Row<Column>, node: usize) -> Option<Box<Self>> {
-        let at = row.linking().at(node);
-        if at.is_empty() {
-            return None;
-        }
-        let mut linked = Self {
-            against: [0.0; CAPACITY],
-            magnitude: 0.0,
-            stiffness: 0.0,
-            damping: 0.0,
-            relaxation: 0.0,
-        };
-        for link in at {
-            let law = row.links()[link.pair].law;
-            linked.stiffness += law.stiffness();
-            linked.damping += law.dashpot();
-            if let LinkLaw::Braced(damper) = law {
-                linked.relaxation = linked.relaxation.max(damper.stiffness / damper.coefficient);
-            }
-        }
-        Some(Box::new(linked))
-    }
 }
 
 impl LinkState {

@@ -2,7 +2,7 @@
 
 use crate::exact::bend::Bend;
 use crate::exact::columns::{Branch, LoadingLine, LoopConstants};
-use crate::exact::links::Linked;
+use crate::exact::link_laws::Linked;
 use crate::model::excitation::Segment;
 use crate::roots::CAPACITY;
 use crate::{Flight, Floor, Hysteresis, Hysteretic, Knee, Row, State, Support};

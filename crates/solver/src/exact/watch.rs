@@ -2,7 +2,7 @@
 
 use crate::exact::columns::{Branch, LoadingLine};
 use crate::exact::contact::{Link, OnSlope, PairState, Phase};
-use crate::exact::links::Change;
+use crate::exact::link_laws::Change;
 use crate::exact::member::Member;
 use crate::exact::{ExactRun, Touching, rounding};
 use crate::roots::{CAPACITY, LOST, SHORTEST_WAY, first_root};

@@ -6,7 +6,8 @@ use pounding_files::shown_name;
 use pounding_motion::{Bearing, Direction, NamedFile, contents};
 use pounding_text::Refused;
 
-use crate::{Error, FileUse, Origin, sha256};
+use super::sha256;
+use crate::{Error, FileUse, Origin};
 
 /// Angles of two horizontal components.
 #[derive(Debug, Clone, Copy, PartialEq)]
