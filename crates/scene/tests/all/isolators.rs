@@ -76,7 +76,7 @@ fn limit_friction_pendulums_that_stick() {
         .iter()
         .find(|one| one.kind == ExcessKind::Displacement)
         .expect("0.4 m is too far");
-    insta::assert_snapshot!(beyond, @"a, floor 1: displacement of 400.0 mm of its isolators, above their capacity of 350.0 mm: they may tear, stiffen or slide off, which the model leaves out");
+    insta::assert_snapshot!(beyond, @"a, storey 1: displacement of 400.0 mm of its isolators, above their capacity of 350.0 mm: they may tear, stiffen or slide off, which the model leaves out");
 }
 
 #[test]
