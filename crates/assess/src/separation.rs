@@ -15,11 +15,11 @@ pub struct Separation {
     pub at_level: usize,
     /// Whether the floor at that level faces a column of the neighbour.
     pub at_column: bool,
-    /// Width below which the neighbours touch \[m\]: the largest closing of the gap at that level while every structure stands alone.
+    /// Width below which the neighbours touch \[m\]: the largest closing of the gap at that level while nothing touches.
     pub required: f64,
     /// Instant of the largest closing \[s\].
     pub time: f64,
-    /// Largest displacement of each neighbour standing alone \[m\], without sign; of a column at most.
+    /// Largest displacement of each neighbour while nothing touches \[m\], without sign; of a column at most.
     pub peaks: [f64; 2],
     /// Natural period \[s\] and damping ratio of each neighbour; `None` for a wall.
     pub oscillations: [Option<(f64, f64)>; 2],

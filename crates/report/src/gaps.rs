@@ -186,7 +186,7 @@ const OTHERS: &str =
 const TRAVELS: &str = "The ground travels along the row (`arrivals_s`): it is in what a gap needs, while the rules know \
                        displacements relative to each structure's own ground alone.";
 
-const NOTES: &str = "Needs: the largest closing of the gap while every structure stands alone, by the exact method. Rules: from the \
+const NOTES: &str = "Needs: the largest closing of the gap while nothing touches, by the exact method. Rules: from the \
                      peak displacements of both structures under the same record; DDC takes elastic periods and damping. * marks what is too narrow.";
 
 /// Adds the numbers of separations to a table: all of them for programs; the width that a gap needs and those of the common rules for

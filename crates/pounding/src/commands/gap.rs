@@ -16,10 +16,10 @@ Examples:
   pounding gap scene.toml --records records --csv > gaps.csv
 
 The gaps and contact laws of the scene do not matter: the width is the largest
-closing of the gap while every structure stands alone, by the exact method, at
-the level that needs most of all at which floors face each other. Levels that
-`levels` of a contact leaves out count, except beside walls. So do floors that
-face columns, which are fixed to the floors at their ends.
+closing of the gap while nothing touches, by the exact method, at the level that
+needs most of all at which floors face each other. Levels that `levels` of a
+contact leaves out count, except beside walls. So do floors that face columns,
+which are fixed to the floors at their ends.
 
 Components of one record are one event, and count with the larger width.
 Verticals, velocities, copies, and records in boreholes or on structures are

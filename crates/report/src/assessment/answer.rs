@@ -162,10 +162,10 @@ impl AssessmentReport {
     }
 }
 
-const REQUIRED: &str = "The width that keeps the neighbours apart under an event: the largest closing of the gap while every building stands \
-                        alone, of its components in both directions.";
+const REQUIRED: &str = "The width that keeps the neighbours apart under an event: the largest closing of the gap while \
+                        nothing touches, of its components in both directions.";
 
-const RULES: &str = "Each rule in its own form, with the displacements u of the time history of both buildings standing alone. “At worst” is \
+const RULES: &str = "Each rule in its own form, with the displacements u of the time history of both buildings while nothing touches. “At worst” is \
                      its width as a part of the one that the time history needs.";
 
 const STOREYS: &str = "Median / 84 % of the events in which their building touches, of fewer than seven events the largest alone. Drift and shear force \

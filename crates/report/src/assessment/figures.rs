@@ -33,7 +33,7 @@ pub(super) fn all(report: &AssessmentReport) -> Vec<Illustration> {
     all.push(Illustration {
         name: NAMES[1],
         caption: format!(
-            "Part of the events that need more than a gap, while every building stands alone. Dashed: the gaps of the scene.{}",
+            "Part of the events that need more than a gap while nothing touches. Dashed: the gaps of the scene.{}",
             beyond(report)
         ),
         drawn: render_both(&share(report)),

@@ -254,6 +254,11 @@ impl LinkState {
         }
     }
 
+    /// Forgets, at an impact on an end, that the rate of deformation is zero and the force has an extremum.
+    pub(super) fn jump(&mut self) {
+        (self.turned, self.peaked) = (false, false);
+    }
+
     /// Whether the series may converge more slowly than those of the floors.
     pub(super) fn bends(&self) -> bool {
         matches!(&self.law, Law::Flow(flow) if flow.damper.inverse_exponent > 1)

@@ -51,6 +51,9 @@ impl Moving<'_> {
         for hit in hits {
             for (&node, before) in hit.nodes.iter().zip(&hit.before) {
                 let jumped = (self.members[node].state.velocity - before).abs() > 0.0;
+                if jumped {
+                    self.linking.at(node).iter().for_each(|at| self.links[at.pair].jump());
+                }
                 for storey in self.storeys_at(node) {
                     if let (true, Some(drift)) = (jumped, &mut self.members[storey].storey) {
                         drift.still = false;

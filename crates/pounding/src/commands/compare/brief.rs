@@ -18,7 +18,7 @@ const MOST: usize = 2;
 struct BothWays<'a> {
     scene: &'a ComparedRun,
     other: Option<RunResult>,
-    /// Largest width that a gap needs while the buildings stand alone \[m\]; `None` if there is no gap.
+    /// Largest width that a gap needs while nothing touches \[m\]; `None` if there is no gap.
     needed: Option<f64>,
 }
 
@@ -80,7 +80,7 @@ pub(super) fn rows(runs: &[ComparedRun]) -> Result<(Vec<ComparedRow>, Vec<String
         name: "drift, part of its limit".into(),
         cells: both.iter().map(|one| strain(one).into()).collect(),
     });
-    rows.push(text("gap needed, alone [mm]", &|one| Some(millimetres_up(one.needed?))));
+    rows.push(text("gap needed [mm]", &|one| Some(millimetres_up(one.needed?))));
     rows.push(text("warnings, see run", &|one| Some(one.scene.review.excesses.len().to_string())));
     let mut said = vec![
         "each number is the larger of both directions under one record, as strong as the scene makes it: no design; `pounding assess` takes a \

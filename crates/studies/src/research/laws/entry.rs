@@ -65,6 +65,8 @@ pub(super) fn label(law: LawName) -> &'static str {
 pub(super) fn shade(law: LawName) -> Shade {
     if law == LawName::Stereomechanical {
         Shade::Ink
+    } else if law == LawName::TwoSlopes {
+        Shade::Green
     } else if is_linear(law) {
         Shade::Blue
     } else {
