@@ -1,7 +1,7 @@
 """Runs scripts that `pounding export --opensees` wrote, and writes what OpenSees finds as a table.
 
-    pounding export --opensees towers.toml --out towers.py      # and the other two
-    python3 run.py 2e-5 towers.py travelling.py bouc-wen.py > exported.csv
+    pounding export --opensees towers.toml --out towers.py      # and the others
+    python3 run.py 2e-5 towers.py travelling.py bouc-wen.py links.py > exported.csv
 """
 
 import csv
