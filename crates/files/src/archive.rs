@@ -58,6 +58,7 @@ pub fn unpacked(name: &str, bytes: &[u8], bounds: ArchiveBounds) -> io::Result<V
         .bytes
         .min((bytes.len() as u64).saturating_mul(bounds.ratio).max(ArchiveBounds::FREE));
     let mut unpacking = Unpacking {
+        most_entries: bounds.entries,
         entries: bounds.entries,
         bytes: most,
         names: BTreeSet::new(),
@@ -95,6 +96,7 @@ fn refused(message: String) -> io::Error {
 
 /// The room that is left, and the files that were found.
 struct Unpacking {
+    most_entries: usize,
     entries: usize,
     bytes: u64,
     names: BTreeSet<String>,
@@ -180,8 +182,9 @@ impl Unpacking {
     /// Counts an entry.
     fn entry(&mut self) -> io::Result<()> {
         self.entries = self.entries.checked_sub(1).ok_or_else(|| {
-            let most = ArchiveBounds::USUAL.entries;
-            refused(format!("the archive has more than {most} entries; unpack what you need of it"))
+            let most = self.most_entries;
+            let message = format!("the archive has more than {most} entries; unpack what you need of it");
+            io::Error::new(ErrorKind::FileTooLarge, message)
         })?;
         Ok(())
     }
@@ -225,13 +228,17 @@ impl Unpacking {
     }
 
     /// Keeps a file, or the files of an archive within the archive. Of two with one name, the first stays.
-    fn file(&mut self, name: String, bytes: io::Result<Vec<u8>>, depth: usize) -> io::Result<()> {
+    fn file(&mut self, name: String, mut bytes: io::Result<Vec<u8>>, depth: usize) -> io::Result<()> {
         if let Ok(content) = &bytes
             && depth < DEEPEST
             && let Some(kind) = Kind::of(content)
         {
             let own = name.rsplit('/').next().unwrap_or_default().to_owned();
-            return self.archive(kind, &own, &format!("{name}/"), content, depth + 1);
+            match self.archive(kind, &own, &format!("{name}/"), content, depth + 1) {
+                // A damaged archive within the archive costs its own files only.
+                Err(error) if error.kind() != ErrorKind::FileTooLarge => bytes = Err(error),
+                done => return done,
+            }
         }
         let bytes = if self.names.insert(name.clone()) {
             bytes

@@ -96,6 +96,23 @@ fn reference_archives_in_archives() {
     assert_eq!(found(&deeper), [("s.zip/t.zip".to_owned(), Ok(station))]);
 }
 
+/// A damaged archive of one station does not take those of the others with it.
+#[test]
+fn issue_a_damaged_archive_within_an_archive() {
+    let station = zip(&[("x.V2", b"one")]);
+    let event = zip(&[
+        ("bad.zip", &station[..station.len() / 2]),
+        ("good.zip", &station),
+        ("bad.gz", &gzip(b"two")[..9]),
+    ]);
+    let found = found(&event);
+    let names: Vec<&str> = found.iter().map(|(name, _)| name.as_str()).collect();
+    assert_eq!(names, ["bad.zip", "good.zip/x.V2", "bad.gz"]);
+    assert!(found[0].1.as_ref().expect_err("damaged").contains("the ZIP archive is damaged"));
+    assert_eq!(found[1].1, Ok(b"one".to_vec()));
+    assert!(found[2].1.is_err());
+}
+
 #[test]
 fn extreme_paths_that_leave_the_archive() {
     let names = ["../a", "/etc/b", "c/../../d", "C:\\e", "..\\f", "ok/g"];

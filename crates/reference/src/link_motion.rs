@@ -7,7 +7,7 @@ use super::storey::{self, StoreyColumns};
 
 impl Equations {
     /// δ of a link \[m\].
-    fn link_deformation(&self, link: usize, y: &[f64]) -> f64 {
+    pub(super) fn link_deformation(&self, link: usize, y: &[f64]) -> f64 {
         let ends = &self.model.links[link].ends;
         ends.ahead(|floor| y[displacement(floor)]) + self.segment.farther(ends.grounds(), y[TIME])
     }

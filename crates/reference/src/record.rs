@@ -12,6 +12,8 @@ pub struct Response {
     pub collisions: Vec<Vec<Collision>>,
     /// Results of each structure, floor or wall, in the order of the row's nodes.
     pub structures: Vec<StructureResponse>,
+    /// Peak deformation of each link \[m\], positive if it is shorter.
+    pub links: Vec<Peak>,
     /// Number of accepted steps.
     pub steps: u64,
 }
@@ -81,6 +83,7 @@ impl Record {
         let response = Response {
             collisions: vec![Vec::new(); motion.model.pairs.len()],
             structures,
+            links: vec![Peak::default(); motion.model.links.len()],
             steps: 0,
         };
         Self {
@@ -101,6 +104,9 @@ impl Record {
             take(&mut structure.displacement, y[displacement(index)], time);
             take(&mut structure.drift, drift, time);
             take(&mut structure.restoring_force, force, time);
+        }
+        for (index, peak) in self.response.links.iter_mut().enumerate() {
+            take(peak, motion.link_deformation(index, y), time);
         }
         for (index, phase) in motion.phases.pairs.iter().enumerate() {
             if phase.contact.touches()

@@ -137,6 +137,9 @@ pub enum PointFault {
     /// A point between the ground and the ground.
     #[error("found no floor, allowed are a floor, and a point between a floor and what it stands on")]
     NoFloor,
+    /// The end of a link between two floors.
+    #[error("found a point between floors, allowed are a floor and the ground")]
+    NoEnd,
     /// A point between two floors that are not neighbours in a building.
     #[error("found a point between {} and node {upper}, allowed is one between a floor and what it stands on", name(*.lower))]
     NoStorey {
@@ -175,6 +178,14 @@ pub enum RunError {
     LinkWithoutSeries {
         /// Index of the link.
         link: usize,
+    },
+    /// A link whose force changes faster than a power series can follow.
+    #[error("links[{link}] at t = {time:.4} s: its force changes too fast for the exact method; use a softer brace, or the method rk4")]
+    NoLinkSeries {
+        /// Index of the link.
+        link: usize,
+        /// Instant \[s\].
+        time: f64,
     },
     /// A number stopped being finite in this step.
     #[error(

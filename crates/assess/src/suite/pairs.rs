@@ -1,5 +1,7 @@
 //! Pairs of horizontal components of one recording, and the motions along an axis between them.
 
+use std::ffi::OsString;
+use std::path::Path;
 use std::sync::Arc;
 
 use pounding_motion::Bearing;
@@ -105,7 +107,7 @@ fn along(pair: &HorizontalPair<'_>, axis: f64) -> Result<SuiteMotion, Error> {
     let origin = one.origin.rotated(&other.origin, pair.angles, axis);
     let origin = origin.map_err(|refused| refused.in_file(&one.path))?;
     let same_file = one.path == other.path;
-    let second_file = (!same_file).then(|| pounding_files::shown_name(&other.path));
+    let second_file = (!same_file).then(|| beside(&one.path, &other.path));
     Ok(SuiteMotion {
         name: pair.name(),
         taken: FileUse {
@@ -117,4 +119,18 @@ fn along(pair: &HorizontalPair<'_>, axis: f64) -> Result<SuiteMotion, Error> {
         origin: Arc::new(origin),
         ..one.clone()
     })
+}
+
+/// A file as it is named from the folder of another one; both paths begin at one place.
+fn beside(path: &Path, other: &Path) -> String {
+    let parts = |path: &Path| {
+        path.parent().map_or_else(Vec::new, |folder| {
+            folder.components().map(|part| part.as_os_str().to_owned()).collect()
+        })
+    };
+    let [own, its]: [Vec<OsString>; 2] = [path, other].map(parts);
+    let n_shared = own.iter().zip(&its).take_while(|(one, other)| one == other).count();
+    let up = own[n_shared..].iter().map(|_| "../".to_owned());
+    let down = its[n_shared..].iter().map(|part| format!("{}/", part.display()));
+    up.chain(down).chain([pounding_files::shown_name(other)]).collect()
 }

@@ -55,6 +55,7 @@ impl ScriptLink {
                 let exponent = 1.0 / f64::from(damper.inverse_exponent);
                 vec![material("ViscousDamper", &[damper.stiffness, damper.coefficient, exponent])]
             }
+            // No script has it as long as the exact run beside it refuses it.
             LinkLaw::Viscous(damper) => vec![material("Viscous", &[damper.coefficient, damper.exponent])],
         };
         Self { ends, materials }

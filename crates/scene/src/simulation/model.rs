@@ -113,8 +113,8 @@ fn in_series(law: ContactLaw, bending: Option<f64>) -> ContactLaw {
     }
 }
 
-/// The links of a checked scene.
-fn links(scene: &Scene, floors: &Floors) -> Vec<Link> {
+/// The links of a scene; an error for a link that a checked scene does not have.
+fn links(scene: &Scene, floors: &Floors) -> Result<Vec<Link>, ModelError> {
     let point = |Standing { structure, floor }| {
         let nodes = floors.of_structure(structure);
         match floor.and_then(|floor| nodes.get(floor)) {
@@ -122,13 +122,14 @@ fn links(scene: &Scene, floors: &Floors) -> Vec<Link> {
             None => Point::Ground(nodes[0]),
         }
     };
-    let link = |link: &crate::Link| {
-        let [left, right] = link.ends(scene).ok()?.map(point);
+    let link = |(index, link): (usize, &crate::Link)| {
+        let unchecked = |_| ModelError::LinkOfNothing { link: index };
+        let [left, right] = link.ends(scene).map_err(unchecked)?.map(point);
         let relation = Relation { left, right, offset: 0.0 };
-        let law = link.law.for_solver().ok()?;
-        Some(Link { relation, law })
+        let law = link.law.for_solver().map_err(unchecked)?;
+        Ok(Link { relation, law })
     };
-    scene.links.iter().filter_map(link).collect()
+    scene.links.iter().enumerate().map(link).collect()
 }
 
 fn pairs_out_of_reach(floors: &Floors) -> Vec<Pair> {
@@ -153,7 +154,7 @@ fn row<Column: Hysteretic>(
     column: impl Fn(&Columns) -> Column,
     pairs: Vec<Pair>,
 ) -> Result<Row<Column>, ModelError> {
-    let row = Row::new(nodes(scene, floors, column).collect(), pairs)?.linked(links(scene, floors))?;
+    let row = Row::new(nodes(scene, floors, column).collect(), pairs)?.linked(links(scene, floors)?)?;
     match &scene.arrivals_s {
         None => Ok(row),
         Some(arrivals) => {
@@ -176,7 +177,7 @@ fn renumbered<Column: Hysteretic>(
     *row = if scene.links.is_empty() {
         renewed
     } else {
-        renewed.linked(links(scene, floors))?
+        renewed.linked(links(scene, floors)?)?
     };
     Ok(())
 }

@@ -154,10 +154,11 @@ impl Bend {
     }
 }
 
-/// Part of the yield force that counts as zero.
-const NOTHING: f64 = 1e-20;
+/// Part of a force, or a rate \[m/s\], that counts as zero.
+pub(super) const NOTHING: f64 = 1e-20;
 
-fn sign(number: f64) -> f64 {
+/// Sign of a number; 0 for 0.
+pub(super) fn sign(number: f64) -> f64 {
     if number > 0.0 {
         1.0
     } else if number < 0.0 {

@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use crate::exact::clock::Past;
-use crate::exact::contact::{Link, PairState, Phase};
+use crate::exact::contact::{Join, PairState, Phase};
 use crate::exact::groups::beside;
 use crate::exact::member::{self, Member};
 use crate::exact::series;
@@ -66,14 +66,14 @@ impl Touching<'_> {
     /// Whether some neighbours in a body rest against each other.
     fn rests(&self, first: usize) -> bool {
         let mut pairs = self.groups.of(first).pairs().iter();
-        pairs.any(|pair| self.contacts[*pair].link == Link::Resting)
+        pairs.any(|pair| self.contacts[*pair].join == Join::Resting)
     }
 
     /// Ends the run if a contact goes on and on: each piece is as short as the relaxation time of its damper.
     fn count_pieces(&mut self, first: usize, time: f64) -> Result<(), RunError> {
         for pair in self.groups.of(first).pairs() {
             let contact = &mut self.contacts[*pair];
-            if !(contact.law.knows_approach_speed() && matches!(contact.link, Link::Touching(_))) {
+            if !(contact.law.knows_approach_speed() && matches!(contact.join, Join::Touching(_))) {
                 continue;
             }
             contact.pieces += 1;
@@ -101,8 +101,8 @@ impl Touching<'_> {
             };
             let energy = contact.reduced_mass * contact.rate * contact.rate;
             let over = contact.rate < 0.0 && left <= tolerance * energy;
-            if contact.link == Link::Touching(Phase::Restitution) && over {
-                contact.link = Link::Touching(Phase::Parting);
+            if contact.join == Join::Touching(Phase::Restitution) && over {
+                contact.join = Join::Touching(Phase::Parting);
             }
         }
     }
@@ -127,7 +127,7 @@ impl Touching<'_> {
 
     /// Whether a node of a chain shares the velocity of its left neighbour. In other rows each node turns alone.
     fn is_led(&self, node: usize) -> bool {
-        let alike = |contact: &PairState| contact.link == Link::Resting && !contact.opens();
+        let alike = |contact: &PairState| contact.join == Join::Resting && !contact.opens();
         let left = beside(self.incidence, node)[0].filter(|_| self.is_chain());
         left.is_some_and(|pair| alike(&self.contacts[pair]))
     }
@@ -135,7 +135,7 @@ impl Touching<'_> {
     /// The pairs at a node that touch or rest.
     pub(super) fn joined_at(&self, node: usize) -> impl Iterator<Item = &Incident> {
         let all = self.incidence.at(node).iter();
-        all.filter(|at| self.contacts[at.pair].link != Link::Apart)
+        all.filter(|at| self.contacts[at.pair].join != Join::Apart)
     }
 
     /// Sum of a quantity over the touching or resting pairs that have the node on their left (or right); `None` if there is no such pair.
@@ -279,9 +279,8 @@ impl<R: Recorder> ExactRun<'_, R> {
         }
         for &link in group.links() {
             let state = &self.moving.links[link];
-            let structure = state.relation.left.floor();
             let reach = state.reach(power, len, longest, tolerance);
-            length = length.min(reach.ok_or(RunError::OutOfNumbers { structure, time })?);
+            length = length.min(reach.ok_or(RunError::NoLinkSeries { link, time })?);
         }
         Ok(length)
     }
@@ -361,7 +360,7 @@ pub(super) fn pushing(force: f64) -> f64 {
 }
 
 fn touching(contact: &PairState) -> bool {
-    matches!(contact.link, Link::Touching(_))
+    matches!(contact.join, Join::Touching(_))
 }
 
 /// Whether compliant contact has just begun.

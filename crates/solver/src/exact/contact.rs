@@ -12,7 +12,7 @@ use crate::{Pair, Point, Relation};
 
 /// How a pair is joined.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Link {
+pub(super) enum Join {
     /// The pair is apart, or touches without a force.
     Apart,
     /// Impulsive contact at rest: the neighbours move together while they press.
@@ -74,7 +74,7 @@ pub(super) struct PairState {
     pub(super) approach_speed: f64,
     /// Pieces of the present contact, if its law depends on the approach speed.
     pub(super) pieces: u32,
-    pub(super) link: Link,
+    pub(super) join: Join,
     /// The pair rests without a force, held by other pairs.
     pub(super) idle: bool,
     /// The instant at which `deformation` and `rate` hold.
@@ -144,7 +144,7 @@ impl PairState {
             slope: OnSlope::First,
             approach_speed: 0.0,
             pieces: 0,
-            link: Link::Apart,
+            join: Join::Apart,
             idle: false,
             time: 0.0,
             deformation,
@@ -205,7 +205,7 @@ impl PairState {
     pub(super) fn begin(&mut self) {
         (self.approach_speed, self.pieces, self.slope) = (self.rate.max(0.0), 0, OnSlope::First);
         self.form = self.law.form(self.reduced_mass, self.approach_speed);
-        self.link = Link::Touching(Phase::Approach);
+        self.join = Join::Touching(Phase::Approach);
     }
 
     /// Whether the force would fall below zero without the clamp.
@@ -216,7 +216,7 @@ impl PairState {
 
     /// Notes that the force before the clamp has changed sign.
     pub(super) fn cross(&mut self, phase: Phase) {
-        (self.link, self.crossed) = (Link::Touching(phase), self.time);
+        (self.join, self.crossed) = (Join::Touching(phase), self.time);
     }
 
     /// Continues on the other slope of the law.
@@ -280,7 +280,7 @@ impl PairState {
     /// Finds in how many orders neighbours that begin to touch without a rate move alike up to rounding; true if in any. Rounding would
     /// otherwise part them, or press them together, at once.
     pub(super) fn find_alike(&mut self, members: &[Member], power: Power, len: usize) -> bool {
-        let begins = matches!(self.link, Link::Touching(_));
+        let begins = matches!(self.join, Join::Touching(_));
         if !begins || self.deformation > 0.0 || self.rate != 0.0 {
             return false;
         }
@@ -304,7 +304,7 @@ impl PairState {
 
     /// Whether the deformation has passed the parting.
     pub(super) fn has_parted(&self) -> bool {
-        let touching = matches!(self.link, Link::Touching(phase) if phase != Phase::Approach);
+        let touching = matches!(self.join, Join::Touching(phase) if phase != Phase::Approach);
         touching && self.deformation <= 0.0 && self.rate < 0.0
     }
 }

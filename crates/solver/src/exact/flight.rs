@@ -7,7 +7,7 @@
 use crate::exact::ExactRun;
 use crate::exact::body::in_flight;
 use crate::exact::columns::Branch;
-use crate::exact::contact::Link;
+use crate::exact::contact::Join;
 use crate::exact::landing::Room;
 use crate::exact::look_ahead::CARRIED;
 use crate::exact::member::Ahead;
@@ -227,7 +227,7 @@ impl<R: Recorder> ExactRun<'_, R> {
         let mut members = self.moving.members.iter().zip(&self.moving.landed);
         let mut contacts = self.touching.contacts.iter();
         members.all(|(member, landed)| *landed != member.is_wall() && member.branch == Branch::Elastic)
-            && contacts.all(|contact| contact.link == Link::Apart)
+            && contacts.all(|contact| contact.join == Join::Apart)
     }
 
     /// Finds the flights of all structures to the next sample; false if any event could happen.

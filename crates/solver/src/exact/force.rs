@@ -2,7 +2,7 @@
 
 use pounding_contact::{Action, Form, Power as Exponent, Slope, Term};
 
-use crate::exact::contact::{Link, OnSlope, PairState, Phase};
+use crate::exact::contact::{Join, OnSlope, PairState, Phase};
 use crate::exact::member::Member;
 use crate::roots::CAPACITY;
 use crate::span::Power;
@@ -48,7 +48,7 @@ impl PairState {
     /// Finds coefficient `n` of a compliant force from those below `n`.
     pub(super) fn find_force(&mut self, members: &[Member], power: Power, n: usize) {
         self.follow(members, power.order(), n);
-        let (Link::Touching(phase), Some(form)) = (self.link, self.form) else {
+        let (Join::Touching(phase), Some(form)) = (self.join, self.form) else {
             self.force[n] = 0.0;
             return;
         };

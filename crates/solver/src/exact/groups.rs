@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use crate::exact::contact::{Link, PairState, System};
+use crate::exact::contact::{Join, PairState, System};
 use crate::exact::tie::Tie;
 use crate::model::incidence::Incidence;
 use crate::{Point, Relation};
@@ -31,7 +31,7 @@ pub(super) struct Groups {
     /// Places of the lists of each body, by its first node.
     places: Vec<Places>,
     /// How pairs were joined when the lists were made.
-    joins: Vec<LinkKind>,
+    joins: Vec<JoinKind>,
     /// The next node of the body, by node; the last node points to itself.
     next: Vec<usize>,
     pub(super) is_chain: bool,
@@ -165,7 +165,7 @@ impl<'a> Group<'a> {
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum LinkKind {
+enum JoinKind {
     Apart,
     Resting,
     Idle,
@@ -173,12 +173,12 @@ enum LinkKind {
 }
 
 impl PairState {
-    fn kind(&self) -> LinkKind {
-        match self.link {
-            Link::Apart => LinkKind::Apart,
-            Link::Resting if self.idle => LinkKind::Idle,
-            Link::Resting => LinkKind::Resting,
-            Link::Touching(_) => LinkKind::Touching,
+    fn kind(&self) -> JoinKind {
+        match self.join {
+            Join::Apart => JoinKind::Apart,
+            Join::Resting if self.idle => JoinKind::Idle,
+            Join::Resting => JoinKind::Resting,
+            Join::Touching(_) => JoinKind::Touching,
         }
     }
 }
@@ -202,7 +202,7 @@ impl Groups {
 
     /// Updates the bodies if the links have changed.
     pub(super) fn update(&mut self, system: System<'_>) {
-        let same = |(kind, contact): (&LinkKind, &PairState)| *kind == contact.kind();
+        let same = |(kind, contact): (&JoinKind, &PairState)| *kind == contact.kind();
         if !self.joins.iter().zip(system.contacts).all(same) {
             self.rebuild(system);
         }
@@ -242,7 +242,7 @@ impl Groups {
             self.join(left, right);
         }
         for (pair, contact) in contacts.iter().enumerate() {
-            if self.joins[pair] != LinkKind::Apart {
+            if self.joins[pair] != JoinKind::Apart {
                 let [left, right] = contact.floors();
                 self.join(left, right);
             }
@@ -300,7 +300,7 @@ impl Groups {
         };
         if !self.is_chain {
             let pairs = self.pairs[range(3)].iter().copied();
-            let resting = pairs.filter(|pair| self.joins[*pair] == LinkKind::Resting);
+            let resting = pairs.filter(|pair| self.joins[*pair] == JoinKind::Resting);
             self.ties[first] = Tie::of(resting.collect(), system);
         }
     }
@@ -352,7 +352,7 @@ impl Groups {
             };
             if first {
                 self.around.push(at.pair);
-                if at.on_left && self.joins[at.pair] != LinkKind::Apart {
+                if at.on_left && self.joins[at.pair] != JoinKind::Apart {
                     self.pairs.push(at.pair);
                 }
             }
@@ -365,9 +365,9 @@ impl Groups {
     /// Adds a node of a chain to the block of the node before it if they rest, or begins a block.
     fn extend_blocks(&mut self, node: usize, incidence: &Incidence) {
         let [left, right] = beside(incidence, node);
-        let pushing = |pair: &usize| self.joins[*pair] == LinkKind::Touching;
+        let pushing = |pair: &usize| self.joins[*pair] == JoinKind::Touching;
         let (from_left, from_right) = (left.filter(pushing), right.filter(pushing));
-        let rests = left.is_some_and(|pair| self.joins[pair] == LinkKind::Resting);
+        let rests = left.is_some_and(|pair| self.joins[pair] == JoinKind::Resting);
         match self.blocks.last_mut() {
             Some(block) if rests => (block.last, block.right) = (node, from_right),
             Some(_) | None => self.blocks.push(Block {

@@ -1,6 +1,6 @@
 //! Impulsive pairs that touch at an instant: chains, or in other rows all pairs that bodies join.
 
-use crate::exact::contact::{Gap, Link, PairState};
+use crate::exact::contact::{Gap, Join, PairState};
 use crate::exact::member::Member;
 use crate::exact::tie;
 use crate::exact::{BURST, CHATTER, ExactRun, Moving};
@@ -156,7 +156,7 @@ impl<R: Recorder> ExactRun<'_, R> {
         let contacts = || pairs.iter().map(|pair| &self.touching.contacts[*pair]);
         let nodes = tie::floors(&pairs, &self.touching.contacts);
         let soon = |contact: &PairState| time - contact.hit < CHATTER;
-        let rests = |contact: &PairState| contact.link == Link::Resting;
+        let rests = |contact: &PairState| contact.join == Join::Resting;
         // A floor that two neighbours hit in turn ends at rest against one of them. The remaining impulses of this series on the other pair
         // are given at once.
         let caught = |contact: &PairState| {
@@ -222,8 +222,8 @@ impl PairState {
     /// Changes the rate by a jump; a compliant pair may change its phase.
     pub(super) fn push(&mut self, jump: f64) {
         self.rate += jump;
-        if matches!(self.link, Link::Touching(_)) && jump.abs() > 0.0 {
-            self.link = Link::Touching(self.phase());
+        if matches!(self.join, Join::Touching(_)) && jump.abs() > 0.0 {
+            self.join = Join::Touching(self.phase());
         }
     }
 }

@@ -2,7 +2,7 @@
 
 use crate::exact::body::{Body, pushing};
 use crate::exact::columns::Branch;
-use crate::exact::contact::{Link, PairState};
+use crate::exact::contact::{Join, PairState};
 use crate::exact::links::LinkState;
 use crate::exact::member::{Ahead, Member};
 use crate::exact::watch::Event;
@@ -16,10 +16,10 @@ impl Touching<'_> {
     /// Whether two points touch or rest without a gap and each moves with a single floor: if either floor is at zero, both are.
     fn touches_without_gap(&self, pair: usize, time: f64) -> bool {
         let contact = &self.contacts[pair];
-        let touches = match contact.link {
-            Link::Apart => contact.meets <= time,
-            Link::Resting => true,
-            Link::Touching(_) => false,
+        let touches = match contact.join {
+            Join::Apart => contact.meets <= time,
+            Join::Resting => true,
+            Join::Touching(_) => false,
         };
         let impulsive = contact.restitution().is_some() && !contact.opens();
         let mut points = contact.relation.points().into_iter();
@@ -172,7 +172,7 @@ impl<R: Recorder> ExactRun<'_, R> {
         let pushes = room.of(incidents);
         for push in pushes.iter_mut() {
             let contact = &self.touching.contacts[push.pair];
-            if contact.link != Link::Apart {
+            if contact.join != Join::Apart {
                 contact.pushes(push, body, x);
             }
         }

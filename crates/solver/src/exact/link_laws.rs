@@ -3,8 +3,10 @@
 //! Springs and restrainers lie on a line between events, F = h + a k δ + c δ̇. The part h = k′ (δ − origin), k′ = (1 − a) k, stays within
 //! limits; a restrainer lets go at h = 0. A braced damper has the state F, whose rate is a product of series.
 
+use crate::exact::bend::NOTHING;
 use crate::model::link::Braced;
 use crate::roots::CAPACITY;
+use crate::span::value;
 use crate::{LinkLaw, RestoringForce, Row};
 
 /// The branch of a spring or a restrainer.
@@ -186,6 +188,14 @@ impl Flow {
         self.sign * self.powers[last][n]
     }
 
+    /// Whether the series of the flow is that power of the force at x.
+    pub(super) fn is_power(&self, len: usize, x: f64, tolerance: f64) -> bool {
+        let [part, flow] = [0, self.powers.len() - 1].map(|index| value(&self.powers[index][..len], x));
+        let power = (0..self.damper.inverse_exponent).fold(1.0, |power, _| power * part);
+        let rounding = 64.0 * f64::EPSILON * power.abs().max(NOTHING);
+        (power - flow).abs() <= rounding.max(tolerance)
+    }
+
     /// Whether the force passes through zero with a kink: an odd power needs no sign.
     pub(super) fn has_kink(&self) -> bool {
         self.damper.inverse_exponent.is_multiple_of(2)
@@ -227,16 +237,5 @@ impl Linked {
             }
         }
         Some(Box::new(linked))
-    }
-}
-
-/// Sign of a number; 0 for 0.
-pub(super) fn sign(number: f64) -> f64 {
-    if number > 0.0 {
-        1.0
-    } else if number < 0.0 {
-        -1.0
-    } else {
-        0.0
     }
 }

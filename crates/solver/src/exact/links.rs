@@ -1,11 +1,12 @@
 //! Links between floors: their state between events, and their force as a power series. Floors that a link joins move as one body.
 
 use crate::exact::ExactRun;
-use crate::exact::link_laws::{Branch, Change, Flow, Law, sign};
+use crate::exact::bend::{NOTHING, sign};
+use crate::exact::link_laws::{Branch, Change, Law};
 use crate::exact::member::Member;
 use crate::exact::rounding::weighed;
-use crate::exact::watch::{Event, Watch};
-use crate::roots::{CAPACITY, SHORTEST_WAY};
+use crate::exact::watch::{Event, Watch, last_quarter};
+use crate::roots::{CAPACITY, LOST, SHORTEST_WAY};
 use crate::span::{Power, value};
 use crate::{Link, Motion, Point, Recorder, Relation, RestoringForce, Row, RunError, Travel};
 
@@ -210,10 +211,10 @@ impl LinkState {
         }
     }
 
-    /// Searches for extremes of deformation and force: peaks are read at the ends of pieces.
+    /// Searches for extremes of deformation and force: peaks are read at the ends of pieces. Yielding ends at one.
     fn watch_extremes(&self, watch: &mut Watch, link: usize, len: usize) {
         let (of_deformation, own_peaks) = match &self.law {
-            Law::Line(line) => (line.branch == Branch::Elastic, line.damping > 0.0),
+            Law::Line(line) => (matches!(line.branch, Branch::Elastic | Branch::Slack), line.damping > 0.0),
             Law::Flow(_) => (true, true),
         };
         if of_deformation {
@@ -271,40 +272,21 @@ impl LinkState {
         };
         let mut x = length;
         loop {
-            if self.is_bent(flow, len, x, tolerance.max(f64::EPSILON)) {
+            let (sum, tail) = last_quarter(&self.force[..len], x);
+            let small = tolerance.max(f64::EPSILON) * sum.max(NOTHING * flow.damper.coefficient);
+            if tail <= small && flow.is_power(len, x, tolerance) {
                 return Some(x);
             }
             if power.time(x) < SHORTEST_WAY {
-                return None;
+                return (tail <= LOST * sum).then_some(x);
             }
             x *= 0.85;
         }
-    }
-
-    /// Whether the last quarter of the series at x is this small a part of it, and the series of the flow is that power of the force.
-    fn is_bent(&self, flow: &Flow, len: usize, x: f64, tolerance: f64) -> bool {
-        let (mut sum, mut tail, mut weight) = (0.0, 0.0, 1.0);
-        for (n, coefficient) in self.force[..len].iter().enumerate() {
-            let term = weight * coefficient.abs();
-            sum += term;
-            if n + len / 4 >= len {
-                tail += term;
-            }
-            weight *= x;
-        }
-        let small = tail <= tolerance * sum.max(NOTHING * flow.damper.coefficient);
-        let ends = [0, flow.powers.len() - 1].map(|power| value(&flow.powers[power][..len], x));
-        let power = (0..flow.damper.inverse_exponent).fold(1.0, |power, _| power * ends[0]);
-        let rounding = 64.0 * f64::EPSILON * power.abs().max(NOTHING);
-        small && (power - ends[1]).abs() <= rounding.max(tolerance)
     }
 }
 
 /// Rounding of the rate of a link that has just stopped yielding, as a part of its terms.
 const STILL: f64 = 64.0 * f64::EPSILON;
-
-/// Part of a force, or a rate of flow \[m/s\], that counts as zero.
-const NOTHING: f64 = 1e-20;
 
 impl<R: Recorder> ExactRun<'_, R> {
     /// Notes how far the grounds of the links of a body have moved at the start of its piece.

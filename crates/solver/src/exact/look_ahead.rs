@@ -8,7 +8,7 @@ use std::cmp::Ordering;
 use crate::exact::ExactRun;
 use crate::exact::body::Body;
 use crate::exact::clock::{LocalClock, Past};
-use crate::exact::contact::{Gap, Link, PairState};
+use crate::exact::contact::{Gap, Join, PairState};
 use crate::exact::rounding::{noise, weighed};
 use crate::exact::shaking::Shaking;
 use crate::roots::{CAPACITY, first_root, shift, value_and_slope};
@@ -56,15 +56,15 @@ impl<R: Recorder> ExactRun<'_, R> {
         if contact.time >= time {
             return;
         }
-        let (deformation, rate) = match contact.link {
-            Link::Resting => (0.0, 0.0),
-            Link::Apart if contact.series.len == 0 => {
+        let (deformation, rate) = match contact.join {
+            Join::Resting => (0.0, 0.0),
+            Join::Apart if contact.series.len == 0 => {
                 let sides = contact.relation.points();
                 let sides = sides.map(|point| self.motion_of(point, time));
                 self.closing(pair, time, sides)
             }
-            Link::Apart => contact.at(self.agenda.clock.past(time)),
-            Link::Touching(_) => {
+            Join::Apart => contact.at(self.agenda.clock.past(time)),
+            Join::Touching(_) => {
                 let x = body.position(self.agenda.clock.past(time));
                 let at = |series: &[f64]| value(&series[..body.len], x);
                 (at(&contact.deformations), at(&contact.rates))
@@ -105,7 +105,7 @@ impl<R: Recorder> ExactRun<'_, R> {
         // A deformation that an impact has set to zero stays zero: at another impact of this instant the rounding of time would be an
         // overlap. In a row that is no chain, points of one floor touch in turn at an instant.
         let struck = contact.deformation == 0.0 && (contact.hit >= time || !is_chain);
-        if coarse && !struck && contact.link != Link::Resting {
+        if coarse && !struck && contact.join != Join::Resting {
             contact.deformation = deformation;
             // A rate that an event has set to zero stays zero.
             if contact.rate != 0.0 {
@@ -237,7 +237,7 @@ impl<R: Recorder> ExactRun<'_, R> {
     /// Finds the next touch of a pair within the pieces on both sides of it.
     pub(super) fn look_ahead(&mut self, pair: usize, time: f64) {
         let contact = &self.touching.contacts[pair];
-        if contact.link != Link::Apart || time >= self.agenda.end {
+        if contact.join != Join::Apart || time >= self.agenda.end {
             self.touching.contacts[pair].meets = f64::INFINITY;
             return;
         }

@@ -1,6 +1,6 @@
 //! Rounding of coefficients that should be zero. It decides whether a pair at rest has a force.
 
-use crate::exact::contact::{Link, PairState};
+use crate::exact::contact::{Join, PairState};
 use crate::exact::groups::{Block, Group, Lighter, Side};
 use crate::exact::member::{Member, Terms};
 use crate::exact::rounding::{OF_COEFFICIENTS, weighed};
@@ -68,7 +68,7 @@ fn measure(node: usize, members: &mut [Member], contacts: &[PairState], incidenc
     let own = magnitude(members, node);
     let pushes = incidence.at(node).iter();
     let pushed: f64 = pushes
-        .filter(|at| contacts[at.pair].link != Link::Apart)
+        .filter(|at| contacts[at.pair].join != Join::Apart)
         .map(|at| at.part * contacts[at.pair].force[0].abs())
         .sum();
     let member = &mut members[node];

@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use crate::exact::contact::{Gap, Link, System};
+use crate::exact::contact::{Gap, Join, System};
 use crate::exact::groups::beside;
 use crate::exact::hits::Hit;
 use crate::exact::noise::clean;
@@ -24,7 +24,7 @@ impl Touching<'_> {
     /// Whether a touching pair is neither at rest nor parting with a rate.
     fn may_press(&self, pair: usize) -> bool {
         let contact = &self.contacts[pair];
-        contact.link == Link::Apart && contact.rate == 0.0
+        contact.join == Join::Apart && contact.rate == 0.0
     }
 }
 
@@ -45,7 +45,7 @@ impl<R: Recorder> ExactRun<'_, R> {
         };
         let pairs = || chains().map(|(.., pair)| pair);
         for pair in pairs() {
-            self.touching.contacts[pair].link = Link::Apart;
+            self.touching.contacts[pair].join = Join::Apart;
         }
         loop {
             self.regroup();
@@ -96,7 +96,7 @@ impl<R: Recorder> ExactRun<'_, R> {
         let [left, _] = self.touching.contacts[pair].floors();
         let rests = |node: usize| {
             let [_, pair] = beside(self.touching.incidence, node);
-            pair.is_some_and(|pair| self.touching.contacts[pair].link == Link::Resting)
+            pair.is_some_and(|pair| self.touching.contacts[pair].join == Join::Resting)
         };
         let mut first = left;
         while first > 0 && rests(first - 1) {
@@ -113,7 +113,7 @@ impl<R: Recorder> ExactRun<'_, R> {
     /// Puts a pair at rest: the lighter side takes the velocity of the heavier side, over its ground.
     fn join(&mut self, hit: &Hit, index: usize, time: f64) {
         let pair = hit.pairs[index];
-        self.touching.contacts[pair].link = Link::Resting;
+        self.touching.contacts[pair].join = Join::Resting;
         if hit.rests_on(index, &self.touching.contacts[pair], &self.moving.members) {
             return;
         }

@@ -6,7 +6,7 @@
 //! open stay together without a force.
 
 use crate::exact::ExactRun;
-use crate::exact::contact::{Gap, Link, System};
+use crate::exact::contact::{Gap, Join, System};
 use crate::exact::hits::Hit;
 use crate::exact::rest::OF_ACCELERATION;
 use crate::exact::rounding::OF_COEFFICIENTS;
@@ -28,7 +28,7 @@ impl<R: Recorder> ExactRun<'_, R> {
     pub(super) fn rest_or_part_any(&mut self, hit: &Hit, time: f64) -> Result<(), RunError> {
         for pair in &hit.pairs {
             let contact = &mut self.touching.contacts[*pair];
-            (contact.link, contact.idle, contact.gap) = (Link::Apart, false, Gap::Known);
+            (contact.join, contact.idle, contact.gap) = (Join::Apart, false, Gap::Known);
         }
         let without_rate = hit.pairs.iter().filter(|pair| self.touching.contacts[**pair].rate == 0.0);
         let mut open: Vec<_> = without_rate.copied().collect();
@@ -49,7 +49,7 @@ impl<R: Recorder> ExactRun<'_, R> {
                     let contact = &mut self.touching.contacts[*pair];
                     match decision {
                         Decision::Presses => {
-                            contact.link = Link::Resting;
+                            contact.join = Join::Resting;
                             pressing.push(*pair);
                         }
                         Decision::Parts => {
@@ -156,7 +156,7 @@ impl<R: Recorder> ExactRun<'_, R> {
         let idle = &idle[pressing.len()..];
         for (pair, idle) in open.iter().zip(idle) {
             let contact = &mut self.touching.contacts[*pair];
-            (contact.link, contact.idle) = (Link::Resting, *idle);
+            (contact.join, contact.idle) = (Join::Resting, *idle);
             if *idle {
                 contact.force.fill(0.0);
             }
@@ -166,7 +166,7 @@ impl<R: Recorder> ExactRun<'_, R> {
     /// Removes the rounded rates of pairs that have come to rest, with the least change of energy.
     fn pull(&mut self, hit: &Hit, time: f64) {
         let pairs = hit.pairs.iter().enumerate();
-        let mut resting = pairs.filter(|(_, pair)| self.touching.contacts[**pair].link == Link::Resting);
+        let mut resting = pairs.filter(|(_, pair)| self.touching.contacts[**pair].join == Join::Resting);
         if resting.all(|(index, pair)| hit.rests_on(index, &self.touching.contacts[*pair], &self.moving.members)) {
             return;
         }

@@ -5,7 +5,7 @@
 //! rest against each other share their acceleration. Storeys couple floors in the same way, by drifts and rates whose coefficients are
 //! known.
 
-use crate::exact::contact::{Link, PairState};
+use crate::exact::contact::{Join, PairState};
 use crate::exact::groups::{Block, Group, Lighter, Side};
 use crate::exact::links::LinkState;
 use crate::exact::member::Member;
@@ -43,7 +43,7 @@ pub(super) fn expand(
         }
         for pair in pairs {
             let contact = &mut contacts[*pair];
-            if matches!(contact.link, Link::Touching(_)) {
+            if matches!(contact.join, Join::Touching(_)) {
                 contact.find_force(members, power, n);
             }
         }
@@ -106,7 +106,7 @@ fn move_freely(nodes: &[usize], members: &mut [Member], contacts: &[PairState], 
 }
 
 fn is_touching(contact: &PairState) -> bool {
-    matches!(contact.link, Link::Touching(_))
+    matches!(contact.join, Join::Touching(_))
 }
 
 /// Coefficient `n` of the forces at rest of any row, and their effect on the accelerations.

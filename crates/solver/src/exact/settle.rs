@@ -1,6 +1,6 @@
 //! Treatment of pairs that touch at an instant: impact, rest or parting.
 
-use crate::exact::contact::{Gap, Link, System};
+use crate::exact::contact::{Gap, Join, System};
 use crate::exact::hits::Hit;
 use crate::exact::impacts::{Chain, Look, SimultaneousImpacts};
 use crate::exact::member::Member;
@@ -21,7 +21,7 @@ impl Touching<'_> {
     /// Gives up if a pair bounces without coming to rest.
     fn count_bounce(&mut self, pair: usize, hit: bool, time: f64) -> Result<(), RunError> {
         let contact = &mut self.contacts[pair];
-        if contact.link == Link::Resting {
+        if contact.join == Join::Resting {
             contact.bounces = 0;
         } else if hit {
             contact.bounces += 1;
@@ -81,10 +81,10 @@ impl<R: Recorder> ExactRun<'_, R> {
         let contact = &self.touching.contacts[pair];
         let landed = contact.floors().into_iter().all(|floor| self.moving.landed[floor]);
         let closed = contact.time >= time && contact.deformation == 0.0;
-        let open = match contact.link {
-            Link::Apart => true,
-            Link::Resting => contact.restitution().is_some(),
-            Link::Touching(_) => false,
+        let open = match contact.join {
+            Join::Apart => true,
+            Join::Resting => contact.restitution().is_some(),
+            Join::Touching(_) => false,
         };
         // A compliant pair that is just closed touches only if its deformation grows.
         landed && closed && open && (contact.restitution().is_some() || contact.gap == Gap::Touches)

@@ -1,7 +1,7 @@
 //! The search for the first event of a piece.
 
 use crate::exact::columns::{Branch, LoadingLine};
-use crate::exact::contact::{Link, OnSlope, PairState, Phase};
+use crate::exact::contact::{Join, OnSlope, PairState, Phase};
 use crate::exact::link_laws::Change;
 use crate::exact::member::Member;
 use crate::exact::{ExactRun, Touching, rounding};
@@ -124,18 +124,18 @@ impl Touching<'_> {
         let contact = &self.contacts[pair];
         let slope = |n: usize| (n + 1) as f64 * contact.force[n + 1];
         watch.change_of(len - 1, contact.peaked, slope, Event::Peak(pair));
-        match contact.link {
-            Link::Apart => {}
-            Link::Resting => {
+        match contact.join {
+            Join::Apart => {}
+            Join::Resting => {
                 // A force that has just faded and grows again starts at zero, not at its rounding.
                 let known = |n: usize| n == 0 && contact.faded;
                 let pull = |n: usize| if known(n) { 0.0 } else { -contact.force[n] };
                 watch.rise(len, pull, Event::Fade(pair));
             }
-            Link::Touching(Phase::Approach) => {
+            Join::Touching(Phase::Approach) => {
                 watch.rise(len, |n| -contact.rates[n], Event::Reversal(pair));
             }
-            Link::Touching(phase) => {
+            Join::Touching(phase) => {
                 if phase == Phase::Clamped {
                     watch.rise(len, |n| contact.pull[n], Event::Grip(pair));
                 } else {
@@ -147,7 +147,7 @@ impl Touching<'_> {
                 watch.rise(len, |n| -contact.deformations[n], Event::Part(pair));
             }
         }
-        if let (Link::Touching(_), Some(form)) = (contact.link, contact.form)
+        if let (Join::Touching(_), Some(form)) = (contact.join, contact.form)
             && form.second.is_some()
         {
             // Just after the event the distance is rounding.
@@ -238,22 +238,22 @@ impl<R: Recorder> ExactRun<'_, R> {
             Event::Peak(pair) => self.touching.contacts[pair].peaked = true,
             Event::Fade(pair) => {
                 let contact = &mut self.touching.contacts[pair];
-                contact.link = Link::Apart;
+                contact.join = Join::Apart;
                 contact.faded = true;
             }
             Event::Reversal(pair) => {
                 let contact = &mut self.touching.contacts[pair];
                 contact.rate = 0.0;
-                match contact.link {
-                    Link::Touching(Phase::Approach) => {
-                        contact.link = Link::Touching(Phase::Restitution);
+                match contact.join {
+                    Join::Touching(Phase::Approach) => {
+                        contact.join = Join::Touching(Phase::Restitution);
                     }
-                    Link::Touching(Phase::Restitution) => {
-                        contact.link = Link::Touching(Phase::Approach);
+                    Join::Touching(Phase::Restitution) => {
+                        contact.join = Join::Touching(Phase::Approach);
                     }
                     // The remaining deformation is below the tolerance: a new touch may begin.
-                    Link::Touching(Phase::Parting | Phase::Clamped) | Link::Apart | Link::Resting => {
-                        (contact.link, contact.deformation) = (Link::Apart, 0.0);
+                    Join::Touching(Phase::Parting | Phase::Clamped) | Join::Apart | Join::Resting => {
+                        (contact.join, contact.deformation) = (Join::Apart, 0.0);
                     }
                 }
             }
@@ -262,7 +262,7 @@ impl<R: Recorder> ExactRun<'_, R> {
             Event::Grip(pair) => self.touching.contacts[pair].cross(Phase::Restitution),
             Event::Part(pair) => {
                 let contact = &mut self.touching.contacts[pair];
-                (contact.link, contact.deformation) = (Link::Apart, 0.0);
+                (contact.join, contact.deformation) = (Join::Apart, 0.0);
                 contact.time = time;
             }
         }
@@ -300,11 +300,11 @@ fn watch_columns(watch: &mut Watch, node: usize, member: &Member, len: usize) {
 
 /// Length up to which the series of a touching pair have converged to the tolerance; `None` if there is no such length.
 pub(super) fn reach(contact: &PairState, power: Power, len: usize, length: f64, tolerance: f64) -> Option<f64> {
-    if !matches!(contact.link, Link::Touching(_)) {
+    if !matches!(contact.join, Join::Touching(_)) {
         return Some(length);
     }
     // Just after a touch the force is small compared with the moving forces, but its sign must be right.
-    let approaches = contact.link == Link::Touching(Phase::Approach);
+    let approaches = contact.join == Join::Touching(Phase::Approach);
     let mut x = length;
     loop {
         let (sum, tail) = last_quarter(&contact.rates[..len], x);
@@ -324,7 +324,7 @@ pub(super) fn reach(contact: &PairState, power: Power, len: usize, length: f64, 
 }
 
 /// Magnitudes of the terms of a series at x: sums over all of them and over the last quarter.
-fn last_quarter(series: &[f64], x: f64) -> (f64, f64) {
+pub(super) fn last_quarter(series: &[f64], x: f64) -> (f64, f64) {
     let (mut sum, mut tail, mut weight) = (0.0, 0.0, 1.0);
     for (n, coefficient) in series.iter().enumerate() {
         let term = weight * coefficient.abs();

@@ -125,9 +125,13 @@ impl<Column: RestoringForce> Row<Column> {
         for (index, link) in links.iter().enumerate() {
             let points = link.relation.points();
             for (side, point) in ["left", "right"].into_iter().zip(points) {
-                point
-                    .check(&self.nodes)
-                    .map_err(|fault| ModelError::LinkEnd { link: index, side, fault })?;
+                let is_share = matches!(point, Point::Share(_));
+                let checked = if is_share {
+                    Err(PointFault::NoEnd)
+                } else {
+                    point.check(&self.nodes)
+                };
+                checked.map_err(|fault| ModelError::LinkEnd { link: index, side, fault })?;
             }
             let moves = |(floor, _): (usize, f64)| !self.nodes[floor].is_wall();
             if points[0] == points[1] || !link.relation.pushes().any(moves) {

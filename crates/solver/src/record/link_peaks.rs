@@ -15,6 +15,14 @@ pub struct LinkPeak {
     pub elongation: Peak,
 }
 
+impl LinkPeak {
+    /// The larger of shortening and elongation, with its sign \[m\].
+    pub fn deformation(&self) -> Peak {
+        let longer = self.elongation.value.abs() > self.shortening.value;
+        if longer { self.elongation } else { self.shortening }
+    }
+}
+
 /// Records forces and deformations of links. A method that finds instants ends its pieces at their extremes; a step knows its ends.
 #[derive(Debug, Clone, PartialEq)]
 pub struct LinkPeaks {
@@ -23,13 +31,13 @@ pub struct LinkPeaks {
     travel: Option<Travel>,
 }
 
-/// A link, with the displacements of its ends at the instants up to which they are known.
+/// A link, with instants and displacements of each end at the start and at the end of its latest piece.
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct Record {
     relation: Relation,
     /// Whether it can push both ends apart.
     pushes: bool,
-    ends: [(f64, f64); 2],
+    ends: [[(f64, f64); 2]; 2],
     peak: LinkPeak,
 }
 
@@ -39,7 +47,7 @@ impl LinkPeaks {
         let record = |link: &Link| Record {
             relation: link.relation,
             pushes: !matches!(link.law, LinkLaw::Restrainer(_)),
-            ends: [(0.0, 0.0); 2],
+            ends: [[(f64::NEG_INFINITY, 0.0); 2]; 2],
             peak: LinkPeak::default(),
         };
         Self {
@@ -52,6 +60,11 @@ impl LinkPeaks {
     #[must_use]
     pub fn travelled(self, travel: Option<Travel>) -> Self {
         Self { travel, ..self }
+    }
+
+    /// Peaks of every link, in the order of the row.
+    pub fn all(&self) -> impl Iterator<Item = LinkPeak> {
+        self.links.iter().map(|one| one.peak)
     }
 
     /// Peaks of a link, by its index in the row.
@@ -71,23 +84,25 @@ impl LinkPeaks {
             side.take(force, time);
         }
         let own = usize::from(!push.on_left);
-        record.ends[own] = (span.end_time, span.end.displacement);
+        record.ends[own] = [(span.start_time, span.start.displacement), (span.end_time, span.end.displacement)];
         let points = record.relation.points();
         let is_fixed = points[1 - own].parts().next().is_none();
-        // The other end of a link is in the same body, so that both are known at the ends of its pieces.
-        if is_fixed || record.ends[1 - own].0.total_cmp(&span.end_time).is_eq() {
-            let nodes = points.map(crate::Point::floor);
-            let opening = self
-                .travel
-                .as_ref()
-                .map_or(0.0, |travel| travel.opening(nodes, span.end_time).displacement);
-            let deformation = record.ends[0].1 - record.ends[1].1 + opening;
-            let side = if deformation > 0.0 {
-                &mut peak.shortening
-            } else {
-                &mut peak.elongation
-            };
-            side.take(deformation, span.end_time);
+        let nodes = points.map(crate::Point::floor);
+        for instant in 0..2 {
+            let time = record.ends[own][instant].0;
+            // The other end of a link is in the same body, so that both are known at the ends of its pieces.
+            if is_fixed || record.ends[1 - own][instant].0.total_cmp(&time).is_eq() {
+                let travel = self.travel.as_ref();
+                let opening = travel.map_or(0.0, |travel| travel.opening(nodes, time).displacement);
+                let [left, right] = record.ends.map(|end| end[instant].1);
+                let deformation = left - right + opening;
+                let side = if deformation > 0.0 {
+                    &mut peak.shortening
+                } else {
+                    &mut peak.elongation
+                };
+                side.take(deformation, time);
+            }
         }
     }
 }

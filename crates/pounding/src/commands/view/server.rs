@@ -160,9 +160,9 @@ impl Server {
             let mut headers = [httparse::EMPTY_HEADER; HEADERS];
             let mut request = httparse::Request::new(&mut headers);
             match request.parse(&bytes) {
-                Ok(httparse::Status::Complete(length)) => break (Head::of(&request), length),
-                Ok(httparse::Status::Partial) if bytes.len() > HEAD => return Ok(Err(Reply::refused(431, "the head is too long"))),
-                Ok(httparse::Status::Partial) => {}
+                Ok(httparse::Status::Complete(length)) if length <= HEAD => break (Head::of(&request), length),
+                Ok(_) if bytes.len() > HEAD => return Ok(Err(Reply::refused(431, "the head is too long"))),
+                Ok(_) => {}
                 Err(error) => return Ok(Err(Reply::refused(400, format!("no request: {error}")))),
             }
             more(stream, &mut bytes, until)?;

@@ -41,6 +41,8 @@ listed! {
         PoundingForce = "pounding force",
         /// Number of touches of a pair; the distance of unequal numbers is infinite.
         Touches = "number of touches",
+        /// Peak deformation of a link; the distance is relative to it.
+        Deformation = "peak deformation of a link",
         /// Share of the energy that the ledger of the exact run does not explain \[–\].
         Residual = "residual of the energy",
     }
@@ -60,6 +62,8 @@ pub enum NumberPlace {
     },
     /// The pair with this index.
     Pair(usize),
+    /// The link with this index.
+    Link(usize),
     /// The whole run.
     Run,
 }
@@ -69,7 +73,7 @@ impl NumberPlace {
     pub(super) fn touch(self) -> Option<(usize, usize)> {
         match self {
             Self::Touch { pair, touch } => Some((pair, touch)),
-            Self::Floor(_) | Self::Pair(_) | Self::Run => None,
+            Self::Floor(_) | Self::Pair(_) | Self::Link(_) | Self::Run => None,
         }
     }
 }

@@ -4,7 +4,7 @@ use super::compared::{Compared, NumberPlace, Two};
 use super::touch::{Largest, Touch, are_at_once, as_one, matched};
 use pounding_reference::Response;
 use pounding_scene::{RunErrors, RunResult, RunValues, Simulation};
-use pounding_solver::Pair;
+use pounding_solver::{LinkPeaks, Pair};
 
 /// Smallest scale for the first touch of a pair, as a part of the pair's largest impulse and force \[–\]. If the touch begins at rest, also
 /// as a part of the force that shakes the lighter floor. Smaller values are differences of far larger forces.
@@ -31,6 +31,8 @@ pub(super) struct Numbers {
     pinched: Vec<bool>,
     /// The touches of every pair in their order.
     pairs: Vec<Vec<Touch>>,
+    /// The largest deformation of every link \[m\].
+    links: Vec<f64>,
     /// The largest force that shakes the lighter floor of every pair \[N\].
     shaking: Vec<f64>,
 }
@@ -56,7 +58,8 @@ impl Numbers {
         };
         let pairs = prepared.pairs().iter().enumerate();
         let floors = (0..prepared.floors().all().len()).map(floor);
-        Self::new(prepared, floors.collect(), pairs.map(touches).collect())
+        let links = outcome.links.iter().flat_map(LinkPeaks::all).map(|peak| peak.deformation().value);
+        Self::new(prepared, floors.collect(), links.collect(), pairs.map(touches).collect())
     }
 
     pub(super) fn of_second_route(prepared: &Simulation, response: &Response) -> Self {
@@ -70,10 +73,11 @@ impl Numbers {
             all.map(|one| Touch::new(pair, [one.start, one.end], one.impulse, one.peak_force, None))
                 .collect()
         });
-        Self::new(prepared, floors.collect(), touches.collect())
+        let links = response.links.iter().map(|one| one.value);
+        Self::new(prepared, floors.collect(), links.collect(), touches.collect())
     }
 
-    fn new(prepared: &Simulation, floors: Vec<OfFloor>, mut pairs: Vec<Vec<Touch>>) -> Self {
+    fn new(prepared: &Simulation, floors: Vec<OfFloor>, links: Vec<f64>, mut pairs: Vec<Vec<Touch>>) -> Self {
         for touches in &mut pairs {
             touches.sort_by(|one, other| one.start.total_cmp(&other.start));
         }
@@ -95,6 +99,7 @@ impl Numbers {
             floors,
             pinched,
             pairs,
+            links,
             shaking: shaking.collect(),
         }
     }
@@ -153,6 +158,14 @@ impl Numbers {
                 distance: if first.len() == second.len() { 0.0 } else { f64::INFINITY },
             });
         }
+        let links = self.links.iter().zip(&other.links).enumerate();
+        all.extend(links.map(|(link, (&first, &second))| Two {
+            what: Compared::Deformation,
+            place: NumberPlace::Link(link),
+            first,
+            second,
+            distance: RunErrors::relative_to(second.abs(), first.abs(), first.abs().max(NOTHING)),
+        }));
         all
     }
 

@@ -94,6 +94,7 @@ impl fmt::Display for Disagreement {
             NumberPlace::Floor(floor) => format!(" of floor {floor}"),
             NumberPlace::Touch { pair, touch } => format!(" {touch} of pair {pair}"),
             NumberPlace::Pair(pair) => format!(" of pair {pair}"),
+            NumberPlace::Link(link) => format!(" {link}"),
             NumberPlace::Run => String::new(),
         };
         let what = two.what.words();
