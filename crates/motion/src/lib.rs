@@ -32,6 +32,7 @@
 //! - A format is a file in `src/format`; `src/format.rs` lists all.
 
 mod accelerogram;
+mod band_limited;
 mod band_pass;
 mod baseline;
 mod bearing;

@@ -17,7 +17,11 @@ pub fn advice_answer(prepared: &Simulation, advice: &Advice, snippet: String) ->
         .part(Where::Terminal, Part::Markup(snippet))
         .say(Where::Terminal, "Scene", vec![prepared.scene().name.clone()])
         .table(Where::Terminal, methods(advice))
-        .say(Where::Terminal, "Notes", notes(prepared).into())
+        .say(
+            Where::Terminal,
+            "Notes",
+            notes(prepared).into_iter().chain(known(prepared, advice.goal.error)).collect(),
+        )
         .fact("scene", json!(prepared.scene()))
         .fact("goal", json!({"error": advice.goal.error, "quantity": advice.goal.quantity.name()}))
         .fact("use", trial_json(advice.best()))
@@ -60,6 +64,15 @@ fn recommended(advice: &Advice) -> [String; 3] {
         format!("the cheapest that keeps {quantity} within {goal}:"),
         format!("largest error {error}{worst}, cost {}, {ratio:.2} times that of exact", best.cost),
     ]
+}
+
+/// What the record leaves open between its samples, if that is more than the accuracy asked for.
+fn known(prepared: &Simulation, accuracy: f64) -> Option<String> {
+    // A run that fails is told by the trials.
+    let run = prepared.run(None).ok()?;
+    let between = prepared.between_samples(&run)?.ok()?;
+    (between.largest() > accuracy)
+        .then(|| format!("Record: {between}. An accuracy below that is one of the method, and not of the earthquake."))
 }
 
 fn notes(prepared: &Simulation) -> [String; 3] {

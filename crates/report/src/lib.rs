@@ -101,6 +101,7 @@ pub struct Report<'a> {
     sampling: Sampling,
     effects: Option<Effects>,
     directions: Option<BothDirections>,
+    between_samples: Option<String>,
 }
 
 impl<'a> Report<'a> {
@@ -122,6 +123,7 @@ impl<'a> Report<'a> {
             sampling: Sampling::of(prepared),
             effects: None,
             directions: None,
+            between_samples: None,
         }
     }
 
@@ -144,6 +146,17 @@ impl<'a> Report<'a> {
             directions: Some(directions),
             ..self
         }
+    }
+
+    /// Returns the report with how far its numbers hang on the record between its samples; see [`Simulation::between_samples`].
+    #[must_use]
+    pub fn with_between_samples(self) -> Self {
+        let found = self.prepared.between_samples(&self.review.outcome);
+        let between_samples = found.map(|found| match found {
+            Ok(between) => between.to_string(),
+            Err(error) => format!("not known, the run with a band-limited record fails: {error}"),
+        });
+        Self { between_samples, ..self }
     }
 
     /// The results of both directions of shaking, if the other one ran.

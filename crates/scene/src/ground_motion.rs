@@ -10,7 +10,7 @@ use std::sync::Arc;
 
 use crate::file::fault::FOR_A_BACKSLASH;
 use crate::file::record_bytes;
-use crate::file::{FileUse, Generated, ScaleTo, check};
+use crate::file::{FileUse, Generated, Interpolation, ScaleTo, check};
 use crate::settings::in_setting;
 use crate::{Error, RecordUse, Source};
 use pounding_files::shown_name;
@@ -308,6 +308,9 @@ fn used(record: &RecordUse, mut used: Record) -> Result<(Record, f64), Refused> 
     }
     if let Some(band) = record.band_pass {
         used = used.band_passed(&band.to_motion()).map_err(at("record.band_pass"))?;
+    }
+    if record.interpolation == Interpolation::BandLimited {
+        used = used.band_limited().map_err(at("record"))?;
     }
     if let Some(time_step) = record.resample_s {
         used = used.resampled(time_step).map_err(at("record.resample_s"))?;

@@ -57,6 +57,7 @@ pub use file::{
 };
 pub use ground_motion::PairAngles;
 pub use ground_motion::{GroundMotion, Origin, SharedMotion, hexadecimal, sha256};
+pub use judge::between_samples::BetweenSamples;
 pub use judge::certificate::{Certificate, CertificateRequest};
 pub use judge::certified::{CertificateFact, CertificateValue, DeliveredBy, DeliveredNumber};
 pub use judge::free_collision::{DeliveredRestitution, FreeCollision};

@@ -1,6 +1,7 @@
 //! Tests of ground motions; the name of a test tells its kind.
 
 mod at2;
+mod band_limited;
 mod committed_records;
 mod csv;
 mod damaged;

@@ -168,6 +168,9 @@ pub(crate) fn run(args: &Arguments) -> Result<String, Refused> {
         Report::of_review(&prepared, prepared.review(measure).map_err(failed)?.into())
     };
     let mut report = report.with_effects(effects);
+    if measure {
+        report = report.with_between_samples();
+    }
     if let Some(other) = other {
         report = report.with_other_direction(other);
     }

@@ -45,7 +45,8 @@ impl Report<'_> {
             .say(Where::FirstScreen, "Seats", brief::seats(prepared, &review.outcome))
             .say(Where::Page, "", self.says_seats())
             .table(Where::FirstScreen, brief::buildings(prepared, &words))
-            .table(Where::FirstScreen, tables::links(prepared, &words));
+            .table(Where::FirstScreen, tables::links(prepared, &words))
+            .say(Where::FirstScreen, "Samples", self.between_samples.iter().cloned().collect());
         let answer = self
             .warnings(answer)
             .figure("animation")

@@ -41,7 +41,7 @@ pub use generated::{Generated, Ground, Stochastic};
 pub use link::{End, Law, Link, OfRow, Side, Standing};
 pub use method::{Jumps, Method, Start};
 pub use neighbour::{DrawnNeighbour, Neighbour, UnknownNeighbour};
-pub use processing::{Detrend, FilterBand, ScaleTo};
+pub use processing::{Detrend, FilterBand, Interpolation, ScaleTo};
 pub use reading::{bytes, bytes_of, in_file, is_json, parse, read, record_bytes};
 pub use record::{FileUse, RecordUse, STANDARD_GRAVITY, Source, Unit};
 pub use schema::{schema, schema_of};

@@ -6,6 +6,24 @@ use serde::{Deserialize, Serialize};
 
 use super::choice::Choice;
 
+/// What a ground motion is between its samples.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Interpolation {
+    /// Straight lines between samples: a frequency f keeps sinc²(fΔt) of its amplitude.
+    #[default]
+    Linear,
+    /// The motion without frequencies above half the sampling rate, as if zero beyond the record.
+    BandLimited,
+}
+
+impl Interpolation {
+    #[expect(clippy::trivially_copy_pass_by_ref, reason = "serde hands a reference")]
+    pub(crate) fn is_linear(&self) -> bool {
+        *self == Self::Linear
+    }
+}
+
 /// Straight line that is subtracted from a ground motion.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]

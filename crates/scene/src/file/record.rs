@@ -7,11 +7,11 @@ use serde::{Deserialize, Serialize};
 
 use super::choice;
 use super::generated::Generated;
-use super::processing::{Detrend, FilterBand, ScaleTo};
+use super::processing::{Detrend, FilterBand, Interpolation, ScaleTo};
 
 /// A ground motion and how a scene uses it.
 ///
-/// The motion is taken from its source, detrended, filtered, resampled, scaled to a target, multiplied and reversed, in this order; steps
+/// The motion is taken from its source, detrended, filtered, made finer between its samples, resampled, scaled to a target, multiplied and reversed, in this order; steps
 /// that are absent are skipped.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(try_from = "RecordUseFile", into = "RecordUseFile")]
@@ -25,6 +25,8 @@ pub struct RecordUse {
     pub detrend: Option<Detrend>,
     /// Band of frequencies that is kept.
     pub band_pass: Option<FilterBand>,
+    /// What the motion is between its samples.
+    pub interpolation: Interpolation,
     /// New time step \[s\], linear between samples.
     pub resample_s: Option<f64>,
     /// Target of the scaling.
@@ -66,6 +68,7 @@ impl RecordUse {
                 band.order
             )
         });
+        let finer = (!self.interpolation.is_linear()).then(|| "band-limited between samples".into());
         let resampled = self.resample_s.map(|step| format!("resampled every {step} s"));
         let target = self.scale_to.map(|target| match target {
             ScaleTo::PgaG(peak) => format!("scaled to a PGA of {peak} g"),
@@ -80,7 +83,7 @@ impl RecordUse {
         let one = 1.0_f64.to_bits();
         let scale = (self.scale.to_bits() != one).then(|| format!("multiplied by {}", self.scale));
         let reversed = self.reversed.then(|| "reversed".into());
-        let all = [axis, detrend, band, resampled, target, gravity, scale, reversed];
+        let all = [axis, detrend, band, finer, resampled, target, gravity, scale, reversed];
         all.into_iter().flatten().collect()
     }
 
@@ -91,6 +94,7 @@ impl RecordUse {
             gravity_m_per_s2: STANDARD_GRAVITY,
             detrend: None,
             band_pass: None,
+            interpolation: Interpolation::Linear,
             resample_s: None,
             scale_to: None,
             scale: 1.0,
@@ -255,6 +259,9 @@ struct RecordUseFile {
     /// Band of frequencies that is kept.
     #[serde(skip_serializing_if = "Option::is_none")]
     band_pass: Option<FilterBand>,
+    /// What the motion is between its samples; `linear` by default.
+    #[serde(default, skip_serializing_if = "Interpolation::is_linear")]
+    interpolation: Interpolation,
     /// New time step \[s\], linear between samples.
     #[serde(skip_serializing_if = "Option::is_none")]
     resample_s: Option<f64>,
@@ -348,6 +355,7 @@ impl TryFrom<RecordUseFile> for RecordUse {
             gravity_m_per_s2: words.gravity_m_per_s2,
             detrend: words.detrend,
             band_pass: words.band_pass,
+            interpolation: words.interpolation,
             resample_s: words.resample_s,
             scale_to: words.scale_to,
             scale: words.scale,
@@ -377,6 +385,7 @@ impl From<RecordUse> for RecordUseFile {
             gravity_m_per_s2: record.gravity_m_per_s2,
             detrend: record.detrend,
             band_pass: record.band_pass,
+            interpolation: record.interpolation,
             resample_s: record.resample_s,
             scale_to: record.scale_to,
             scale: record.scale,

@@ -1,5 +1,6 @@
 //! What a user should know before believing a run.
 
+pub(crate) mod between_samples;
 pub(crate) mod certificate;
 pub(crate) mod certified;
 pub(crate) mod free_collision;

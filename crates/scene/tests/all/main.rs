@@ -1,6 +1,7 @@
 //! Tests of scenes; the kind of each is in its name.
 
 mod beside;
+mod between_samples;
 mod bumpers;
 mod capacities;
 mod certificates;

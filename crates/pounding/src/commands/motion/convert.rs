@@ -115,6 +115,7 @@ fn of_file(args: &Arguments) -> Result<Motion, Refused> {
     let record = RecordUse {
         detrend: args.processing.detrend(),
         band_pass: args.processing.band_pass(),
+        interpolation: args.processing.interpolation(),
         resample_s: args.processing.resample,
         scale_to: args.processing.scale_to()?,
         scale: args.processing.scale,

@@ -1,7 +1,7 @@
 //! The processing of a record on its way into a CSV: the options of a scene's `record`.
 
 use clap::ValueEnum;
-use pounding::scene::file::{Detrend, FilterBand, ScaleTo};
+use pounding::scene::file::{Detrend, FilterBand, Interpolation, ScaleTo};
 use pounding::text::Refused;
 
 use crate::commands::{part_of_one, positive};
@@ -25,6 +25,9 @@ pub(super) struct Processing {
     /// Filter forward only; both ways delay nothing.
     #[arg(long, requires = "band_pass")]
     causal: bool,
+    /// Band-limited between samples, with more of them.
+    #[arg(long)]
+    band_limited: bool,
     /// New time between samples [s].
     #[arg(long, value_name = "DT", allow_negative_numbers = true, value_parser = positive)]
     pub(super) resample: Option<f64>,
@@ -65,6 +68,7 @@ impl Processing {
             band_pass: Vec::new(),
             order: self.order,
             causal: false,
+            band_limited: false,
             resample: None,
             scale_to_pga: None,
             scale_to_sa: Vec::new(),
@@ -79,6 +83,14 @@ impl Processing {
             Trend::Constant => Detrend::Constant,
             Trend::Linear => Detrend::Linear,
         })
+    }
+
+    pub(super) fn interpolation(&self) -> Interpolation {
+        if self.band_limited {
+            Interpolation::BandLimited
+        } else {
+            Interpolation::Linear
+        }
     }
 
     pub(super) fn band_pass(&self) -> Option<FilterBand> {
