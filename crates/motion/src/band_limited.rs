@@ -3,9 +3,7 @@
 //! A record of a motion that holds nothing above half its sampling rate determines that motion (Whittaker, Shannon): it is the sum of a sinc at
 //! every sample. Straight lines between the samples keep sinc²(fΔt) of a frequency f, and add images of it at 1/Δt ± f.
 
-use rustfft::num_complex::Complex64;
-use rustfft::{Fft, FftPlanner};
-
+use crate::fourier::{inverse, transform};
 use crate::record::MAX_SAMPLES;
 use crate::{Record, Refused};
 
@@ -27,9 +25,9 @@ impl Record {
     pub fn band_limited(&self) -> Result<Self, Refused> {
         let samples = self.samples();
         let n_padded = (2 * samples.len()).next_power_of_two();
-        let mut planner = FftPlanner::new();
-        let mut spectrum = padded(samples, n_padded);
-        planner.plan_fft_forward(n_padded).process(&mut spectrum);
+        let mut spectrum: Vec<[f64; 2]> = samples.iter().map(|&sample| [sample, 0.0]).collect();
+        spectrum.resize(n_padded, [0.0; 2]);
+        transform(&mut spectrum);
         let factor = factor(&spectrum);
         let n_finer = (samples.len() - 1) * factor + 1;
         if n_finer > MAX_SAMPLES {
@@ -38,8 +36,8 @@ impl Record {
                 .allowed(format!("up to {MAX_SAMPLES}"))
                 .help("shorten the record, or take \"linear\""));
         }
-        let finer = finer(&spectrum, factor, &*planner.plan_fft_inverse(factor * n_padded));
-        let mut values: Vec<f64> = finer.into_iter().take(n_finer).collect();
+        let mut values = finer(&spectrum, factor);
+        values.truncate(n_finer);
         // The transform returns samples with its rounding.
         for (index, sample) in samples.iter().enumerate() {
             values[index * factor] = *sample;
@@ -57,19 +55,11 @@ impl Record {
     }
 }
 
-fn padded(samples: &[f64], len: usize) -> Vec<Complex64> {
-    let mut padded = vec![Complex64::default(); len];
-    for (one, sample) in padded.iter_mut().zip(samples) {
-        one.re = *sample;
-    }
-    padded
-}
-
 /// Least power of two of samples for each sample, such that straight lines between them keep the motion of this spectrum.
-fn factor(spectrum: &[Complex64]) -> usize {
+fn factor(spectrum: &[[f64; 2]]) -> usize {
     let n = spectrum.len();
     // The upper half of the spectrum is that of negative frequencies.
-    let powers = || (0..=n / 2).map(|k| (k as f64 / n as f64, spectrum[k].norm_sqr()));
+    let powers = || (0..=n / 2).map(|k| (k as f64 / n as f64, spectrum[k][0].powi(2) + spectrum[k][1].powi(2)));
     let all: f64 = powers().map(|(_, power)| power).sum();
     let mut factor = 1;
     loop {
@@ -89,17 +79,17 @@ fn lost(cycles: f64) -> f64 {
 }
 
 /// The motion of a spectrum, at `factor` instants for each sample.
-fn finer(spectrum: &[Complex64], factor: usize, inverse: &dyn Fft<f64>) -> Vec<f64> {
+fn finer(spectrum: &[[f64; 2]], factor: usize) -> Vec<f64> {
     let n = spectrum.len();
-    let mut finer = vec![Complex64::default(); factor * n];
+    let mut finer = vec![[0.0; 2]; factor * n];
     finer[..n / 2].copy_from_slice(&spectrum[..n / 2]);
     let negative = factor * n - n / 2;
     finer[negative..].copy_from_slice(&spectrum[n / 2..]);
     if factor > 1 {
         // Half the sampling rate is a positive and a negative frequency.
-        let half = 0.5 * spectrum[n / 2];
+        let half = spectrum[n / 2].map(|part| 0.5 * part);
         (finer[n / 2], finer[negative]) = (half, half);
     }
-    inverse.process(&mut finer);
-    finer.into_iter().map(|one| one.re / n as f64).collect()
+    inverse(&mut finer);
+    finer.into_iter().map(|[real, _]| factor as f64 * real).collect()
 }

@@ -43,6 +43,7 @@ mod detrend;
 mod direction;
 mod envelope;
 mod format;
+mod fourier;
 mod ground;
 mod harmonic;
 mod integration;

@@ -34,6 +34,16 @@ pub struct Measures {
     /// Interval in which the Arias intensity grows from 5 % to 95 % (M. D. Trifunac and A. G. Brady, *Bull. Seism. Soc. Am.* 65 (1975)
     /// 581).
     pub d5_95: Option<Interval>,
+    /// From the first to the last instant at [`Self::STRONG`]; `None` if the record never is (B. A. Bolt, *Proc. 5th World Conf. Earthq.
+    /// Eng.* (1973) 1304).
+    pub bracketed: Option<Interval>,
+    /// Time at or above [`Self::STRONG`] \[s\], ≥ 0 (uniform duration, the same source).
+    pub uniform: f64,
+}
+
+impl Measures {
+    /// Acceleration from which motion counts as strong \[m/s²\]: 0.05 g.
+    pub const STRONG: f64 = 0.05 * STANDARD_GRAVITY;
 }
 
 /// An interval of time.
@@ -56,13 +66,22 @@ impl Record {
     /// Returns the intensity measures of the record.
     pub fn measures(&self) -> Measures {
         let time_step = self.time_step();
-        let (mut pgv, mut pgd, mut cav) = (0.0_f64, 0.0_f64, 0.0);
+        let (mut pgv, mut pgd, mut cav, mut uniform) = (0.0_f64, 0.0_f64, 0.0, 0.0);
+        let mut bracketed: Option<Interval> = None;
         let mut squares = vec![0.0];
         let mut square = 0.0;
-        for step in self.steps() {
+        for (index, step) in self.steps().enumerate() {
             let [v, u] = peaks(&step, time_step);
             (pgv, pgd) = (pgv.max(v), pgd.max(u));
             cav += magnitude(step.accelerations, time_step);
+            for [from, to] in strong(step.accelerations) {
+                uniform += (to - from) * time_step;
+                let [start, end] = [from, to].map(|part| (index as f64 + part) * time_step);
+                bracketed = Some(Interval {
+                    start: bracketed.map_or(start, |known| known.start),
+                    end,
+                });
+            }
             square += squared(step.accelerations, 1.0) * time_step;
             squares.push(square);
         }
@@ -81,6 +100,8 @@ impl Record {
             cav,
             d5_75: interval(0.05, 0.75),
             d5_95: interval(0.05, 0.95),
+            bracketed,
+            uniform,
         }
     }
 
@@ -122,6 +143,23 @@ fn magnitude([start, end]: [f64; 2], time_step: f64) -> f64 {
     } else {
         0.5 * time_step * sum
     }
+}
+
+/// Parts of a step, 0..=1, in which |a| is strong, in their order: at its start, at its end, or all of it.
+fn strong([start, end]: [f64; 2]) -> impl Iterator<Item = [f64; 2]> {
+    let crossing = move |limit: f64| ((limit - start) / (end - start)).clamp(0.0, 1.0);
+    // On a line |a| is strong beyond the positive limit, and beyond the negative one.
+    let beyond = move |sign: f64| {
+        let [start, end] = [sign * start, sign * end].map(|one| one >= Measures::STRONG);
+        match [start, end] {
+            [false, false] => None,
+            [true, true] => Some([0.0, 1.0]),
+            [true, false] => Some([0.0, crossing(sign * Measures::STRONG)]),
+            [false, true] => Some([crossing(sign * Measures::STRONG), 1.0]),
+        }
+    };
+    let first = if start < 0.0 { -1.0 } else { 1.0 };
+    [first, -first].into_iter().filter_map(beyond)
 }
 
 /// Largest magnitudes of velocity and displacement in a step, including its start and end.

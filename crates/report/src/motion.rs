@@ -57,6 +57,12 @@ impl<'a> MeasuredRecord<'a> {
                 &Unit::PERIOD,
                 of(|one| one.measures.d5_95.map(|interval| interval.duration())),
             )
+            .column(
+                "bracketed_s",
+                exact(|one| one.measures.bracketed.map(|interval| interval.duration())),
+            )
+            .column("uniform_s", exact(|one| Some(one.measures.uniform)))
+            .column("mean_period_s", exact(|one| one.record.mean_period()))
             .column("drift_m_per_s", exact(|one| one.drift.map(|drift| drift.velocity)))
     }
 

@@ -74,4 +74,4 @@ pub use simulation::floors::{ColumnBeside, Floor, FloorPair, Floors, StoreyPrope
 pub use simulation::{
     Advice, AuditedRun, Collapse, EnergyBalance, Extras, Goal, MethodTrial, PairOutcome, QuantityGroup, RunResult, Simulation, StepSizes,
 };
-pub use spectrum::{SpectralValues, Spectrum, periods_between, response_spectra, response_spectrum, scaled_to_sa};
+pub use spectrum::{SpectralValues, Spectrum, SpectrumIntensities, periods_between, response_spectra, response_spectrum, scaled_to_sa};

@@ -54,6 +54,37 @@ pub fn response_spectrum(record: &Record, periods: &[f64], damping_ratio: f64) -
     spectrum(record, periods, damping_ratio, None, &|| ())
 }
 
+/// Integrals of the response spectrum of a motion, damping 5 %, by the trapezoidal rule.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SpectrumIntensities {
+    /// ∫ PSV dT from 0.1 to 2.5 s, every 0.1 s \[m\] (G. W. Housner, *Proc. Symp. Earthq. and Blast Effects on Structures* (1952) 20).
+    pub housner: f64,
+    /// Acceleration spectrum intensity, ∫ PSA dT from 0.1 to 0.5 s, every 0.05 s \[m/s\] (J. L. Von Thun et al. (1988)).
+    pub asi: f64,
+}
+
+impl SpectrumIntensities {
+    /// Measures a record.
+    ///
+    /// # Errors
+    /// Errors of [`response_spectrum`].
+    pub fn of(record: &Record) -> Result<Self, Refused> {
+        let integral = |periods: Vec<f64>, value: fn(&SpectralValues) -> f64| {
+            let values = response_spectrum(record, &periods, 0.05)?;
+            let steps = periods.windows(2).zip(values.windows(2));
+            Ok::<f64, Refused>(steps
+                .map(|(periods, values)| 0.5 * (periods[1] - periods[0]) * (value(&values[0]) + value(&values[1])))
+                .sum())
+        };
+        let tenths = (1..=25).map(|n| 0.1 * f64::from(n)).collect();
+        let twentieths = (2..=10).map(|n| 0.05 * f64::from(n)).collect();
+        Ok(Self {
+            housner: integral(tenths, |one| one.pseudo_velocity)?,
+            asi: integral(twentieths, |one| one.pseudo_acceleration)?,
+        })
+    }
+}
+
 /// Response spectra for several damping ratios. `done` is called after each period; setting `stop` ends the work.
 ///
 /// # Errors

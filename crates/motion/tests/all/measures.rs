@@ -49,6 +49,19 @@ fn reference_measures_of_two_triangles() {
 }
 
 #[test]
+fn reference_durations_above_a_threshold() {
+    // From 0 to 2 limits in a step, back through zero to −2 limits, and to rest: above the limit for half a step, then for a quarter each.
+    let limit = Measures::STRONG;
+    let found = record(1.0, &[0.0, 2.0 * limit, -2.0 * limit, 0.0, 0.0]).measures();
+    let bracketed = found.bracketed.expect("it is strong");
+    close(bracketed.start, 0.5);
+    close(bracketed.end, 2.5);
+    close(found.uniform, 0.5 + 0.25 + 0.25 + 0.5);
+    let weak = record(1.0, &[0.0, 0.9 * limit, 0.0]).measures();
+    assert!(weak.bracketed.is_none() && weak.uniform == 0.0, "{weak:?}");
+}
+
+#[test]
 fn reference_measures_of_a_zero_crossing_inside_a_step() {
     // a = 1 − 3t: velocity t − 1.5t² is largest at t = 1/3, zero at 2/3, and −1/2 at 1.
     let found = record(1.0, &[1.0, -2.0]).measures();
@@ -126,6 +139,8 @@ fn extreme_records_without_motion() {
             cav: 0.0,
             d5_75: None,
             d5_95: None,
+            bracketed: None,
+            uniform: 0.0,
         };
         assert_eq!(found, wanted);
         assert_eq!(still.integrated().velocity.len(), still.samples().len());
@@ -196,8 +211,12 @@ proptest! {
             pgd: 2.0 * once.pgd,
             arias: 4.0 * once.arias,
             cav: 2.0 * once.cav,
+            // These hold to a threshold.
+            bracketed: twice.bracketed,
+            uniform: twice.uniform,
             ..once
         };
         prop_assert_eq!(wanted, twice);
+        prop_assert!(once.uniform <= twice.uniform);
     }
 }

@@ -3,7 +3,7 @@
 use std::f64::consts::{PI, TAU};
 
 use pounding_motion::{Record, RickerPulse};
-use pounding_scene::{SpectralValues, periods_between, response_spectrum, scaled_to_sa};
+use pounding_scene::{SpectralValues, SpectrumIntensities, periods_between, response_spectrum, scaled_to_sa};
 
 /// One inch \[m\].
 const INCH: f64 = 0.0254;
@@ -223,4 +223,17 @@ fn limit_periods_rise_in_equal_ratios_between_exact_ends() {
     }
     assert_eq!(periods_between(0.5, 2.0, 1), [0.5]);
     assert!(periods_between(0.5, 2.0, 0).is_empty());
+}
+
+/// Under a step of constant acceleration an undamped oscillator would have PSA = 2a; with damping the closed form of the overshoot.
+#[test]
+fn reference_spectrum_intensities_of_a_step() {
+    let a = 1.3;
+    let step = Record::new(0.01, vec![a; 1001], "").expect("a record");
+    let found = SpectrumIntensities::of(&step).expect("a spectrum");
+    let z: f64 = 0.05;
+    let psa = a * (1.0 + libm::exp(-PI * z / (1.0 - z * z).sqrt()));
+    close(found.asi, 0.4 * psa);
+    // PSV = PSA T/2π, and a straight line is integrated exactly.
+    close(found.housner, psa / TAU * 0.5 * (2.5 * 2.5 - 0.1 * 0.1));
 }

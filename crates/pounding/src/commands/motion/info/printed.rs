@@ -3,7 +3,7 @@
 use pounding::assess::{LeftOutReason, Suite};
 use pounding::motion::{Interval, Reading};
 use pounding::report::MeasuredRecord;
-use pounding::scene::PairValues;
+use pounding::scene::{PairValues, SpectrumIntensities};
 use pounding::text::{Answer, Cell, Manner, NONE, Table, Where, cut, digits, percent, short};
 use serde_json::{Value, json};
 
@@ -73,13 +73,14 @@ fn of_one<'a>(motion: &ListedMotion, found: &MeasuredMotion, gravity: f64) -> An
         .say(Where::Terminal, "Record", vec![samples])
         .say(Where::Terminal, "Direction", vec![direction])
         .say(Where::Terminal, "Unusual", file.unusual().iter().map(ToString::to_string).collect())
-        .say_as(Where::Terminal, Manner::Facts, "", measures(found, gravity).into())
+        .say_as(Where::Terminal, Manner::Facts, "", measures(found, gravity))
         .say(Where::Terminal, "Drift", drift.into_iter().collect())
         .say(Where::Terminal, "Notes", vec![NOTES.into()])
 }
 
 const NOTES: &str = "PGV and PGD without correction of the baseline; Arias intensity with g = 9.80665 m/s²; CAV without \
-                     threshold; D: while the Arias intensity grows from 5 % to 75 % and to 95 %.";
+                     threshold; D: while the Arias intensity grows from 5 % to 75 % and to 95 %; Tm: mean period of Fourier \
+                     amplitudes, 0.25 to 20 Hz; Housner: ∫ PSV dT from 0.1 to 2.5 s, ASI: ∫ PSA dT from 0.1 to 0.5 s, damping 5 %.";
 
 /// A reading of a file, with its line.
 fn reading(one: &Reading) -> String {
@@ -87,7 +88,7 @@ fn reading(one: &Reading) -> String {
     format!("{}: {}{line}", one.what, one.found)
 }
 
-fn measures(found: &MeasuredMotion, gravity: f64) -> [String; 7] {
+fn measures(found: &MeasuredMotion, gravity: f64) -> Vec<String> {
     let measures = &found.measures;
     let (time, peak) = found.opened.record.peak();
     let duration = |interval: Option<Interval>| {
@@ -96,7 +97,18 @@ fn measures(found: &MeasuredMotion, gravity: f64) -> [String; 7] {
             format!("{duration} s, from {start} s to {end} s")
         })
     };
-    [
+    let record = &found.opened.record;
+    let tm = record.mean_period().map(|period| format!("Tm: {} s", short(period)));
+    // A record too long for a spectrum has none.
+    let spectral = SpectrumIntensities::of(record).ok().map(|SpectrumIntensities { housner, asi }| {
+        let (housner, asi) = (short(housner), short(asi));
+        [format!("Housner: {housner} m"), format!("ASI: {asi} m/s")]
+    });
+    let strong = measures.bracketed.map(|interval| {
+        let uniform = short(measures.uniform);
+        format!("0.05 g: {}, {uniform} s of it at or above", duration(Some(interval)))
+    });
+    let all = [
         format!(
             "PGA: {} g = {} m/s² at {} s",
             short(measures.pga / gravity),
@@ -109,7 +121,12 @@ fn measures(found: &MeasuredMotion, gravity: f64) -> [String; 7] {
         format!("CAV: {} m/s", short(measures.cav)),
         format!("D5–75: {}", duration(measures.d5_75)),
         format!("D5–95: {}", duration(measures.d5_95)),
-    ]
+    ];
+    all.into_iter()
+        .chain(strong)
+        .chain(tm)
+        .chain(spectral.into_iter().flatten())
+        .collect()
 }
 
 /// A row for each motion, and what became of the files.
