@@ -1,6 +1,6 @@
 //! Buildings of a row that stand alone: one run usually gives the answer for both directions of a motion.
 
-use pounding_scene::{Error, Excess, Extras, Simulation, StoreyProperties};
+use pounding_scene::{Error, Excess, Extras, RunResult, Simulation, StoreyProperties};
 
 use crate::peaks::FloorPeaks;
 use crate::separation::Separation;
@@ -36,18 +36,12 @@ impl Alone {
             ..Extras::default()
         })?;
         // Links change how floors come closer. What pounding does is measured against buildings without them.
-        let alone = if apart.scene().links.is_empty() {
-            None
-        } else {
-            let alone = apart.unlinked()?;
-            let run = alone.run_with(Extras::default())?;
-            Some((FloorPeaks::all(&alone, &run), alone.excesses(&run), alone.over_capacity(&run)))
-        };
+        let alone = unlinked(&apart)?.map(|(alone, run)| (FloorPeaks::all(&alone, &run), alone.all_excesses(&run), alone.over_capacity(&run)));
         let separations = |reversed: bool| {
             let closings = run.closings.as_ref();
             closings.map_or_else(Vec::new, |closings| Separation::all(&apart, &run, closings, reversed))
         };
-        let of_apart = || (FloorPeaks::all(&apart, &run), apart.excesses(&run), apart.over_capacity(&run));
+        let of_apart = || (FloorPeaks::all(&apart, &run), apart.all_excesses(&run), apart.over_capacity(&run));
         let (floors, excesses, over_capacity) = alone.unwrap_or_else(of_apart);
         Ok(Self {
             floors,
@@ -67,6 +61,16 @@ impl Alone {
             self.other.as_deref()
         }
     }
+}
+
+/// The buildings of a row that stands apart without its links, and their run; `None` if it has no links.
+pub(crate) fn unlinked(apart: &Simulation) -> Result<Option<(Simulation, RunResult)>, Error> {
+    if apart.scene().links.is_empty() {
+        return Ok(None);
+    }
+    let alone = apart.unlinked()?;
+    let run = alone.run_with(Extras::default())?;
+    Ok(Some((alone, run)))
 }
 
 /// Whether reversed shaking mirrors the motion to the last bit while nothing touches. That holds if all floors begin at rest and all

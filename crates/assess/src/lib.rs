@@ -63,7 +63,7 @@ pub use peaks::FloorPeaks;
 pub use rule::{Rule, RuleWords};
 pub use run::{AssessedFloor, AssessedPair, AssessedRun, StiffnessFactors, beyond_belief};
 pub use scaling::{MotionSpectrum, Scaling, SpectrumTarget, TargetFactors};
-pub use separation::Separation;
+pub use separation::{JudgedSeparations, Separation};
 pub use suite::{
     FolderUse, HorizontalPair, LeftOut, LeftOutKind, LeftOutReason, MotionLine, MotionLines, Suite, SuiteMotion, Watched, nothing_found,
 };

@@ -120,7 +120,7 @@ impl AssessedRun {
             drift_rates: true,
             ..Extras::default()
         })?;
-        let mut excesses = exact.excesses(&beside);
+        let mut excesses = exact.all_excesses(&beside);
         let disbelieved_beside = beyond_belief(&excesses).cloned();
         let mut pushes = beside.collisions.all().iter();
         let mut variants = Vec::new();
@@ -131,7 +131,7 @@ impl AssessedRun {
             variants = parallel::try_each(&others, |factor| stiffened(&exact, *factor)?.run(None))?;
         }
         for one in &variants {
-            excesses.extend(exact.excesses(one).into_iter().filter(|one| one.kind.strains()));
+            excesses.extend(exact.all_excesses(one).into_iter().filter(|one| one.kind.strains()));
         }
         let mut judged = excesses.iter().chain(&alone.excesses);
         let collapsed = judged.any(|one| one.kind == ExcessKind::Collapse);
@@ -153,7 +153,7 @@ impl AssessedRun {
             pairs: pairs.map(|pair| assessed_pair(&exact, &variants, pair)).collect(),
             disbelieved_alone: beyond_belief(&alone.excesses).cloned(),
             disbelieved_beside,
-            excesses: Excess::worst(excesses),
+            excesses,
             excesses_alone: those_alone(&alone.excesses),
             over_capacity_alone: alone.over_capacity.clone(),
             collapsed,

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use pounding_assess::{Rule, Separation};
+use pounding_assess::{JudgedSeparations, Rule, Separation};
 use pounding_scene::{ExcessKind, Scene, Simulation};
 
 /// Floors at 3, 6.5 and 9.5 m beside floors at 3, 7, 11 and 15 m. Only the lowest floors may touch.
@@ -51,7 +51,7 @@ fn issue_rules_for_level_floors_ask_for_all_floors() {
 fn issue_columns_are_seen_without_a_contact() {
     let apart = &STAGGERED[..STAGGERED.find("[[contacts]]").expect("it is there")];
     let simulation = prepared(apart);
-    let (separations, excesses) = Separation::judged(&simulation).expect("it runs");
+    let JudgedSeparations { separations, excesses, .. } = JudgedSeparations::of(&simulation).expect("it runs");
     let beside = excesses.iter().find(|one| one.kind == ExcessKind::BesideColumn);
     let width = beside.expect("it is named").found;
     let one = separations[0];

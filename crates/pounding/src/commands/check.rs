@@ -65,7 +65,7 @@ impl Expected {
     /// Floors that may touch in either direction and are not modelled, and dashpots that hold isolators.
     fn unmodelled(&self, prepared: &Simulation) -> Vec<String> {
         let runs = std::iter::once(&self.outcome).chain(&self.reversed);
-        let all = Excess::gathered(runs.map(|run| prepared.excesses(run)), "run").into_iter();
+        let all = Excess::gathered(runs.map(|run| prepared.all_excesses(run)), "run").into_iter();
         let all = all.filter(|one| one.kind.is_unwatched() || one.kind == ExcessKind::MassDamping);
         all.map(|one| one.to_string()).collect()
     }

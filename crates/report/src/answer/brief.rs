@@ -22,6 +22,8 @@ pub(super) fn scene(prepared: &Simulation, review: &Review) -> Vec<String> {
     let steps = scene.method.time_step();
     let steps = steps.map_or(String::new(), |step| format!(", steps of {} s", digits(step)));
     let (_, peak) = prepared.record().peak();
+    let collapse = review.outcome.collapse;
+    let ended = collapse.map_or_else(String::new, |one| format!("ended at {:.2} s of ", one.time_s));
     vec![
         scene.name.clone(),
         format!(
@@ -30,7 +32,7 @@ pub(super) fn scene(prepared: &Simulation, review: &Review) -> Vec<String> {
             short(peak.abs() / scene.record.gravity_m_per_s2)
         ),
         format!(
-            "{} s by {method}{steps}, {}: {}",
+            "{ended}{} s by {method}{steps}, {}: {}",
             digits(prepared.duration()),
             scene.record.direction(),
             errors(&review.errors)
@@ -163,7 +165,11 @@ pub(super) fn buildings(prepared: &Simulation, words: &InWords<'_>) -> Grid {
     let table = Table::of(moving).shown(heading, |one| scene.structures[*one].name().to_owned());
     let table = known.into_iter().fold(table, |table, quantity| {
         let about = quantity.about();
-        table.shown_in(about.unit.shown, about.heading, move |one| Shown::from(worst(*one, quantity)))
+        table.shown_in(about.unit.shown, about.heading, move |one| {
+            let found = worst(*one, quantity);
+            let falls = found.is_none() && words.falls(*one);
+            Shown::from(found).over(falls.then(|| "collapsed".into()))
+        })
     });
     table.grid()
 }

@@ -98,8 +98,22 @@ impl AssessmentReport {
         } else {
             "of NBCC 2015 for buildings of normal importance"
         };
+        let doubted = self.assessment.disbelieved;
+        let others = match self.assessment.cases - doubted {
+            0 => String::new(),
+            _ if doubted == 0 => String::new(),
+            n => format!(
+                " That is of {}; the other {}.",
+                self.of_cases(n),
+                if doubted == 1 {
+                    "is past the model".into()
+                } else {
+                    format!("{doubted} are past the model")
+                }
+            ),
+        };
         Some(format!(
-            "Largest drift when they touch: {most} of the storey height ({name}{range}), {within} the {} {whose}; alone {alone}.",
+            "Largest drift when they touch: {most} of the storey height ({name}{range}), {within} the {} {whose}; alone {alone}.{others}",
             percent(limit),
         ))
     }

@@ -27,7 +27,7 @@ impl AssessmentReport {
                 100.0 * TargetFit::LEAST_SHARE
             ));
         }
-        (self.assessment.believed_alone() == 0).then(|| format!("a building would hardly stand even alone under every {}", self.sample()))
+        (self.assessment.believed_alone() == 0).then(|| format!("{} even alone under every {}", self.fallen().says(), self.sample()))
     }
 
     /// The width that is proposed for a gap: the largest that is needed, or that of the named code if it asks for more. `None` if these records
@@ -189,22 +189,30 @@ impl AssessmentReport {
         }
         let [most, all] = [gap.built(gap.required.upper()), gap.proposal()].map(millimetres);
         let samples = self.sample();
+        let is_one = !gap.required.has_quantiles() || most == all || gap.own.is_some_and(|own| gap.built(gap.required.upper()) <= own);
+        let others = if self.assessment.gaps.len() > 1 {
+            ", if every other gap of the row stays open, too"
+        } else {
+            ""
+        };
+        let fallen = self.fallen();
+        if fallen.collapsed > 0 {
+            let keeps = if is_one {
+                format!("{all} mm keeps floors apart in {}", fallen.others())
+            } else {
+                format!("{most} mm keeps floors apart in 84 % of {}, {all} mm in all", fallen.others())
+            };
+            return format!("{keeps}{others}{}.{}", fallen.whatever(), self.decides(gap));
+        }
         let said = match gap.required.sorted().len() {
             1 => format!("{all} mm {enough} for the only {samples}"),
-            n if !gap.required.has_quantiles() || most == all || gap.own.is_some_and(|own| gap.built(gap.required.upper()) <= own) => {
-                format!("{all} mm {enough} for all {n} {samples}s")
-            }
+            n if is_one => format!("{all} mm {enough} for all {n} {samples}s"),
             n => format!("{most} mm {enough} for 84 % of the {n} {samples}s, {all} mm for all"),
         };
         let counted = match (self.assessment.disbelieved_alone, gap.required.sorted().len()) {
             (0, _) => "",
             (_, 1) => " that counts",
             _ => " that count",
-        };
-        let others = if self.assessment.gaps.len() > 1 {
-            ", if every other gap of the row stays open, too"
-        } else {
-            ""
         };
         format!("{said}{counted}{others}.{}", self.decides(gap))
     }
@@ -227,7 +235,7 @@ impl AssessmentReport {
     /// Why a gap that stays open under some events is not enough under all; `None` if all events count.
     fn says_not_counted(&self) -> Option<String> {
         let n = self.assessment.disbelieved_alone;
-        (n > 0).then(|| format!("a building would hardly stand even alone in {}", self.of_cases(n)))
+        (n > 0).then(|| format!("{} even alone in {}", self.fallen().says(), self.of_cases(n)))
     }
 
     /// The proposed width of every gap that is not enough, and the chance that remains; what bumpers do, if they were asked for.
@@ -298,7 +306,7 @@ impl AssessmentReport {
         } else {
             ""
         };
-        let only = if self.over_capacity().is_empty() {
+        let only = if self.over_capacity().is_empty() && self.assessment.collapsed_alone == 0 {
             ""
         } else {
             " to keep floors apart, for no more"

@@ -3,6 +3,7 @@
 pub(crate) mod certificate;
 pub(crate) mod certified;
 pub(crate) mod free_collision;
+mod gathered;
 pub(crate) mod implausible;
 pub(crate) mod lean;
 pub(crate) mod limits;

@@ -1,6 +1,6 @@
 //! Responses of a run beyond the range of its model, or beyond the limits of codes.
 
-use pounding_text::{percent, short, two_digits};
+use pounding_text::{digits, percent, short, two_digits};
 
 use crate::{RunResult, Simulation, Structure};
 
@@ -97,33 +97,6 @@ impl Excess {
     /// Largest damping ratio of the mass term of a building on isolators \[–\]. A convention: isolators have 10 to 30 % of their own.
     pub const MOST_MASS_DAMPING: f64 = 0.01;
 
-    /// Gathers responses over several samples, such as runs, the most harmful kind first: the worst of every kind, and the number of samples
-    /// with it. `sample` is the word for a sample.
-    pub fn gathered(samples: impl IntoIterator<Item: AsRef<[Self]>>, sample: &'static str) -> Vec<Self> {
-        let mut all = Vec::new();
-        let mut of = 0;
-        for one in samples {
-            all.extend(Self::worst(one.as_ref().to_vec()));
-            of += 1;
-        }
-        let mut worst = Self::worst(all.clone());
-        for one in &mut worst {
-            let n = all.iter().filter(|other| other.kind == one.kind).count();
-            one.often = Some(Often { n, of, sample });
-        }
-        worst
-    }
-
-    /// Returns the worst response of every kind, the most harmful kind first; of equal ones the first.
-    pub fn worst(mut all: Vec<Self>) -> Vec<Self> {
-        all.sort_by(|one, other| {
-            let by_kind = one.kind.cmp(&other.kind);
-            by_kind.then(other.share().total_cmp(&one.share()))
-        });
-        all.dedup_by_key(|one| one.kind);
-        all
-    }
-
     /// Limit that it exceeds, in the unit of its kind.
     fn limit(&self) -> f64 {
         self.capacity.unwrap_or(self.kind.most())
@@ -151,8 +124,17 @@ impl Excess {
             (_, Some(capacity)) => format!(", above its capacity of {}", percent(capacity)),
             (bound, None) => bound.into(),
         };
-        let brief = self.kind.brief(self.found);
         let often = self.often();
+        if self.kind == ExcessKind::BaseShear && !often.is_empty() {
+            // The number of samples is that above the limit, far below the worst of them.
+            return format!(
+                "{}: shear force of up to {:.1} times the weight above; above {} times {often}",
+                self.name,
+                self.found,
+                digits(self.limit())
+            );
+        }
+        let brief = self.kind.brief(self.found);
         let comma = if often.is_empty() { "" } else { ", " };
         format!("{}{colon} {brief}{limit}{comma}{often}", self.name)
     }
@@ -173,9 +155,19 @@ impl Simulation {
     /// Returns the responses of a run beyond its model or beyond the limits of codes, each at the worst floor of its kind, the most harmful
     /// kind first.
     pub fn excesses(&self, result: &RunResult) -> Vec<Excess> {
+        Excess::worst(self.all_excesses(result))
+    }
+
+    /// Returns the responses of a run beyond its model or beyond the limits of codes, of every floor: what several runs are
+    /// [gathered](Excess::gathered) from.
+    pub fn all_excesses(&self, result: &RunResult) -> Vec<Excess> {
         let floors = self.floors();
         let dampers = self.damper_forces(result);
         let mut all = self.unwatched(result);
+        for one in all.iter_mut().filter(|one| one.kind == ExcessKind::LeftOut) {
+            let levels = floors.left_out(floors.all()[one.floor].structure);
+            one.name = levels.unwrap_or_default();
+        }
         all.extend(self.columns_hit(result));
         for floor in 0..floors.all().len() {
             let dampers = self.judged_damping(result, floor, dampers.get(floor).copied());
@@ -183,14 +175,7 @@ impl Simulation {
             let judged = judged.map(|one| self.excess(floor, one));
             all.extend(judged.filter(|one| one.found > one.limit()));
         }
-        let mut worst = Excess::worst(all);
-        for one in &mut worst {
-            if one.kind == ExcessKind::LeftOut {
-                let levels = floors.left_out(floors.all()[one.floor].structure);
-                one.name = levels.unwrap_or_default();
-            }
-        }
-        worst
+        all
     }
 
     /// Returns the drift or force of every structure that is farthest above a capacity that the scene gives, of those above one.
@@ -270,6 +255,7 @@ impl Simulation {
         strains.max_by(|one, other| one.0.total_cmp(&other.0))
     }
 
+    /// Responses of a storey. Of one that falls only drifts and capacities are judged: its forces are those of the fall.
     fn judged(&self, result: &RunResult, floor: usize) -> Vec<Judged> {
         let floors = self.floors();
         let one = &floors.all()[floor];
@@ -297,7 +283,8 @@ impl Simulation {
         if one.is_isolation_layer() {
             return all;
         }
-        if told.shear_capacity_n.is_none() {
+        let falls = collapse.is_some();
+        if !falls && told.shear_capacity_n.is_none() {
             all.extend(
                 self.shear_over_weight(result, floor)
                     .map(|found| (ExcessKind::BaseShear, found, None)),
@@ -311,7 +298,8 @@ impl Simulation {
             let weight = self.weight_above(floor);
             all.push((ExcessKind::Stability, weight * drift / (shear * height), None));
         }
-        if one.can_yield() {
+        // At a collapse the run ends before its end.
+        if one.can_yield() && result.collapse.is_none() {
             let below = floors.below(floor).map_or(0.0, |below| result.last.of(below).displacement);
             let residual = result.last.of(floor).displacement - below;
             all.push((ExcessKind::ResidualDrift, residual.abs() / height, None));
@@ -347,8 +335,9 @@ impl Simulation {
     fn judged_damping(&self, result: &RunResult, floor: usize, damper: Option<f64>) -> Vec<Judged> {
         let one = &self.floors().all()[floor];
         let yields = one.made_of.and_then(|made| made.columns.yield_force_n);
-        // The damper of isolators is meant.
-        let damper = damper.filter(|_| !one.is_isolation_layer());
+        // The damper of isolators is meant, and that of a storey that falls damps no shaking.
+        let falls = result.collapse.is_some_and(|collapse| collapse.floor == floor);
+        let damper = damper.filter(|_| !falls && !one.is_isolation_layer());
         let damper = damper
             .zip(yields)
             .map(|(force, yields)| (ExcessKind::DamperForce, force / yields, None));

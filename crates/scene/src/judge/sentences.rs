@@ -32,7 +32,7 @@ impl Excess {
             ExcessKind::AtColumn | ExcessKind::BesideColumn | ExcessKind::AtFoot | ExcessKind::LeftOut => String::new(),
             ExcessKind::ColumnHit => column_hit(found, self.capacity),
             ExcessKind::Collapse => format!(
-                "its storey collapses under gravity: its drift passes {} of its height, and the run ends there (collapse_drift_ratio)",
+                "collapses under gravity: its drift passes {} of its height, and the run ends there (collapse_drift_ratio)",
                 percent(found)
             ),
             ExcessKind::Displacement if self.capacity.is_some() => format!(

@@ -166,7 +166,7 @@ fn limit_a_run_that_collapses_is_the_run_until_then() {
     }
     let of = |run: &RunResult| run.of_pair(0).total_impulse;
     same(of(&fallen), of(&shorter));
-    insta::assert_snapshot!(simulation.says_collapse(&fallen).expect("it falls"), @"a, floor 1 collapses under gravity: at t = 2.0344 s the drift of its storey passes 20 % of its height, and the run ends");
+    insta::assert_snapshot!(simulation.says_collapse(&fallen).expect("it falls"), @"a, storey 1 collapses under gravity: at t = 2.0344 s its drift passes 20 % of its height, and the run ends");
 }
 
 /// The instant beyond which gravity alone would bring a storey down is told, and so is that a neighbour may hold it.

@@ -1,0 +1,91 @@
+//! What no width of a gap helps against: buildings that exceed a capacity of the scene, collapse, or would hardly stand even alone.
+
+use std::collections::BTreeSet;
+
+use pounding_assess::Case;
+use pounding_scene::{Excess, Floors, Often};
+
+/// Every building that exceeds a capacity of the scene even alone, by the drift or force that is farthest above it, with the number of `of`
+/// samples. `all` has such responses, each with its case.
+pub(crate) fn over_capacity(
+    floors: &Floors,
+    all: &[(Case, &Excess)],
+    of: usize,
+    sample: &'static str,
+) -> Vec<Excess> {
+    let of_building = |structure: usize| {
+        let own = all.iter().filter(|(_, one)| floors.all()[one.floor].structure == structure);
+        let (_, worst) = own.clone().max_by(|one, other| one.1.share().total_cmp(&other.1.share()))?;
+        let cases: BTreeSet<Case> = own.map(|(case, _)| *case).collect();
+        let often = Often {
+            n: cases.len(),
+            of,
+            sample,
+        };
+        Some(Excess {
+            often: Some(often),
+            ..(*worst).clone()
+        })
+    };
+    (0..floors.structures().len()).filter_map(of_building).collect()
+}
+
+/// The buildings that exceed a capacity even alone, in a sentence; `None` if none does.
+pub(crate) fn says_over_capacity(over: &[Excess]) -> Option<String> {
+    let exceed = match over.len() {
+        0 => return None,
+        1 => "the building exceeds its capacity",
+        _ => "buildings exceed their capacity",
+    };
+    let over: Vec<String> = over.iter().map(Excess::brief).collect();
+    Some(format!(
+        "Whatever the gap, {exceed} even alone ({}). The widths below keep floors apart, and do no more.",
+        over.join("; ")
+    ))
+}
+
+/// How many samples are not believed: a building would not stand in them.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Fallen {
+    /// Number of samples.
+    pub(crate) of: usize,
+    /// Number of those that are not believed.
+    pub(crate) doubted: usize,
+    /// Number of those in which a storey collapses.
+    pub(crate) collapsed: usize,
+    /// The word for a sample.
+    pub(crate) sample: &'static str,
+}
+
+impl Fallen {
+    /// The subject and the verb of a sentence about the samples that are not believed.
+    pub(crate) fn says(&self) -> &'static str {
+        match self.collapsed {
+            0 => "a building would hardly stand",
+            n if n == self.doubted => "a building collapses",
+            _ => "a building collapses or would hardly stand",
+        }
+    }
+
+    /// "the 6 events without a collapse".
+    pub(crate) fn others(&self) -> String {
+        let others = match self.of - self.doubted {
+            1 => format!("the one {}", self.sample),
+            n => format!("the {n} {}s", self.sample),
+        };
+        let which = if self.collapsed == self.doubted {
+            "without a collapse"
+        } else {
+            "that count"
+        };
+        format!("{others} {which}")
+    }
+
+    /// The end of a sentence about a width: "; in 3 of 9 a storey collapses whatever the gap". Empty if none does.
+    pub(crate) fn whatever(&self) -> String {
+        match self.collapsed {
+            0 => String::new(),
+            n => format!("; in {n} of {} a storey collapses whatever the gap", self.of),
+        }
+    }
+}
