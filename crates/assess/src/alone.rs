@@ -36,7 +36,8 @@ impl Alone {
             ..Extras::default()
         })?;
         // Links change how floors come closer. What pounding does is measured against buildings without them.
-        let alone = unlinked(&apart)?.map(|(alone, run)| (FloorPeaks::all(&alone, &run), alone.all_excesses(&run), alone.over_capacity(&run)));
+        let alone =
+            unlinked(&apart)?.map(|(alone, run)| (FloorPeaks::all(&alone, &run), alone.all_excesses(&run), alone.over_capacity(&run)));
         let separations = |reversed: bool| {
             let closings = run.closings.as_ref();
             closings.map_or_else(Vec::new, |closings| Separation::all(&apart, &run, closings, reversed))

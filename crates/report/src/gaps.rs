@@ -398,7 +398,11 @@ fn says_enough(all: &RequiredGap, fallen: &Fallen, is_over: bool) -> String {
         (0, false, n) => ["are enough for", &format!("all {n} events")],
     };
     let spread = if widths.has_quantiles() {
-        format!("; {} mm for half of them, {} mm for 84 %", enough(widths.median()), enough(widths.p84()))
+        format!(
+            "; {} mm for half of them, {} mm for 84 %",
+            enough(widths.median()),
+            enough(widths.p84())
+        )
     } else if n > 1 {
         ": the largest of so few".into()
     } else {

@@ -111,12 +111,14 @@ impl<'a> InWords<'a> {
         self.collapse.is_some_and(|collapse| collapse.structure == structure)
     }
 
-    /// A number in SI units. A storey that falls has neither a base shear over weight nor a ductility: both would be those of the instant at
-    /// which the run ends.
+    /// A number in SI units. A storey that falls has no base shear over weight, ductility or damper force: they would be those of the instant
+    /// at which the run ends. Nothing is left at the end of a run that a collapse ends.
     fn known(&self, quantity: Quantity, place: usize) -> Option<f64> {
-        let of_fall = [FloorQuantity::BaseShearRatio, FloorQuantity::Ductility].map(Quantity::from);
-        let falls = self.collapse.is_some_and(|collapse| collapse.floor == place);
-        self.values.of(quantity, place).filter(|_| !falls || !of_fall.contains(&quantity))
+        use FloorQuantity as Floor;
+        let of_fall = [Floor::BaseShearRatio, Floor::Ductility, Floor::DamperForceRatio].map(Quantity::from);
+        let left = [Floor::ResidualDisplacementAtEndM, Floor::ResidualDriftAtEndM].map(Quantity::from);
+        let is_unknown = |collapse: Collapse| left.contains(&quantity) || (collapse.floor == place && of_fall.contains(&quantity));
+        self.values.of(quantity, place).filter(|_| !self.collapse.is_some_and(is_unknown))
     }
 
     /// A number in the unit that people read; `None` if the place has no such number.

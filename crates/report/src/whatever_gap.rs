@@ -7,12 +7,7 @@ use pounding_scene::{Excess, Floors, Often};
 
 /// Every building that exceeds a capacity of the scene even alone, by the drift or force that is farthest above it, with the number of `of`
 /// samples. `all` has such responses, each with its case.
-pub(crate) fn over_capacity(
-    floors: &Floors,
-    all: &[(Case, &Excess)],
-    of: usize,
-    sample: &'static str,
-) -> Vec<Excess> {
+pub(crate) fn over_capacity(floors: &Floors, all: &[(Case, &Excess)], of: usize, sample: &'static str) -> Vec<Excess> {
     let of_building = |structure: usize| {
         let own = all.iter().filter(|(_, one)| floors.all()[one.floor].structure == structure);
         let (_, worst) = own.clone().max_by(|one, other| one.1.share().total_cmp(&other.1.share()))?;

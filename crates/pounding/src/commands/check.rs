@@ -147,7 +147,7 @@ fn answer(plan: &Plan<'_>) -> Answer<'static> {
         .say(Where::Terminal, "Unusual", unusual)
         .say(Where::Terminal, "Scene", vec![prepared.scene().name.clone()])
         .say_as(Where::Terminal, Manner::Facts, "Record", record_facts(prepared))
-        .say_as(Where::Terminal, Manner::Facts, "Method", method_facts(prepared))
+        .say_as(Where::Terminal, Manner::Facts, "Method", method_facts(prepared, None))
         .say(Where::Terminal, "Model", model_lines(plan))
         .table(Where::Terminal, structures(prepared).grid());
     if let Some(expected) = &plan.expected {

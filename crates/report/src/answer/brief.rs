@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use pounding_contact::LawName;
-use pounding_scene::{Errors, FloorQuantity, PairQuantity, QuantityGroup, Review, RunResult, Simulation};
+use pounding_scene::{Collapse, Errors, FloorQuantity, PairQuantity, QuantityGroup, Review, RunResult, Simulation};
 use pounding_text::{Grid, Shown, Table, Unit, digits, percent, short};
 
 use crate::shown::tables::WORST;
@@ -22,8 +22,6 @@ pub(super) fn scene(prepared: &Simulation, review: &Review) -> Vec<String> {
     let steps = scene.method.time_step();
     let steps = steps.map_or(String::new(), |step| format!(", steps of {} s", digits(step)));
     let (_, peak) = prepared.record().peak();
-    let collapse = review.outcome.collapse;
-    let ended = collapse.map_or_else(String::new, |one| format!("ended at {:.2} s of ", one.time_s));
     vec![
         scene.name.clone(),
         format!(
@@ -32,12 +30,18 @@ pub(super) fn scene(prepared: &Simulation, review: &Review) -> Vec<String> {
             short(peak.abs() / scene.record.gravity_m_per_s2)
         ),
         format!(
-            "{ended}{} s by {method}{steps}, {}: {}",
-            digits(prepared.duration()),
+            "{} by {method}{steps}, {}: {}",
+            lasts(prepared, review.outcome.collapse),
             scene.record.direction(),
             errors(&review.errors)
         ),
     ]
+}
+
+/// How long the run lasts, and where a collapse ends it.
+pub(super) fn lasts(prepared: &Simulation, collapse: Option<Collapse>) -> String {
+    let ended = collapse.map(|one| format!("ended at {:.2} s of ", one.time_s));
+    format!("{}{} s", ended.unwrap_or_default(), digits(prepared.duration()))
 }
 
 fn errors(errors: &Errors) -> String {

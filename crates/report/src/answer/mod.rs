@@ -69,7 +69,12 @@ impl Report<'_> {
             .table(Where::Details, tables::structures(prepared, &words))
             .table(Where::Details, tables::motions(prepared, &words))
             .table(Where::Details, tables::storeys(prepared, &words))
-            .say_as(Where::Details, Manner::Soft, "Notes", vec![tables::notes(prepared)])
+            .say_as(
+                Where::Details,
+                Manner::Soft,
+                "Notes",
+                vec![tables::notes(prepared, &review.outcome)],
+            )
             .figure("hysteresis");
         self.made_of(answer, &summary)
             .say(Where::FirstScreen, "More", vec![MORE.into()])
@@ -126,7 +131,12 @@ impl Report<'_> {
             .say_as(Where::Details, Manner::Facts, "Record", record_facts(prepared))
             .figure("ground-motion")
             .heading("Method")
-            .say_as(Where::Details, Manner::Facts, "Method", method_facts(prepared))
+            .say_as(
+                Where::Details,
+                Manner::Facts,
+                "Method",
+                method_facts(prepared, review.outcome.collapse),
+            )
             .say_as(Where::Details, Manner::Facts, "Errors", facts::errors(prepared, review))
             .say_as(
                 Where::Page,

@@ -108,12 +108,17 @@ pub(super) fn links(prepared: &Simulation, words: &InWords<'_>) -> Grid {
 }
 
 /// Notes on the tables of structures.
-pub(super) fn notes(prepared: &Simulation) -> String {
+pub(super) fn notes(prepared: &Simulation, outcome: &RunResult) -> String {
+    let residual = match outcome.collapse {
+        Some(collapse) => format!("The run ends by a collapse at {:.2} s: there is no residual.", collapse.time_s),
+        None => format!(
+            "Residual is the displacement at the end of the run, at {} s; free vibration that has not died away by then is still in it.",
+            digits(prepared.duration())
+        ),
+    };
     format!(
-        "Accelerations are absolute, that of the ground included, impulsive impacts left out. Residual is the displacement at the end of the \
-         run, at {} s; free vibration that has not died away by then is still in it. Shear is that of the columns; the force of the dampers \
-         is not in it.",
-        digits(prepared.duration())
+        "Accelerations are absolute, that of the ground included, impulsive impacts left out. {residual} Shear is that of the columns; the \
+         force of the dampers is not in it."
     )
 }
 

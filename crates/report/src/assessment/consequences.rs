@@ -1,7 +1,7 @@
 //! The sentences of an assessment about touching: drifts against their limit, forces, and what gets worse or better.
 
 use pounding_assess::{Distribution, FloorAssessment};
-use pounding_scene::Excess;
+use pounding_scene::ExcessKind;
 use pounding_text::{percent, two_decimals, two_digits};
 
 use super::AssessmentReport;
@@ -40,7 +40,7 @@ impl AssessmentReport {
     /// A drift over the storey height and its limit \[–\]; `None` if the height is not known.
     fn of_limit(&self, floor: usize, drift: f64) -> Option<[f64; 2]> {
         let made_of = self.floors.all()[floor].made_of?;
-        let limit = made_of.capacities.drift_capacity_ratio.unwrap_or(Excess::MOST_DRIFT);
+        let limit = made_of.capacities.drift_capacity_ratio.unwrap_or(ExcessKind::MOST_DRIFT);
         Some([drift / made_of.height_m?, limit])
     }
 

@@ -3,7 +3,8 @@
 use std::cmp::Ordering;
 use std::collections::BTreeSet;
 
-use super::response::{Excess, ExcessKind, Often};
+use super::excess_kind::ExcessKind;
+use super::response::{Excess, Often};
 
 impl Excess {
     /// Gathers responses over several samples, such as runs, the most harmful kind first: the worst of every kind above a general limit, the
@@ -18,8 +19,14 @@ impl Excess {
         worst.retain(|one| said.insert((one.kind, one.capacity.is_some())));
         let of = samples.len();
         for one in &mut worst {
-            let with = samples.iter().filter(|sample| sample.as_ref().iter().any(|other| one.is_of_same(other)));
-            one.often = Some(Often { n: with.count(), of, sample });
+            let with = samples
+                .iter()
+                .filter(|sample| sample.as_ref().iter().any(|other| one.is_of_same(other)));
+            one.often = Some(Often {
+                n: with.count(),
+                of,
+                sample,
+            });
         }
         worst
     }

@@ -2,6 +2,7 @@
 
 pub(crate) mod certificate;
 pub(crate) mod certified;
+pub(crate) mod excess_kind;
 pub(crate) mod free_collision;
 mod gathered;
 pub(crate) mod implausible;

@@ -4,7 +4,8 @@ use std::fmt::{self, Display, Formatter};
 
 use pounding_text::{percent, short, two_digits};
 
-use super::response::{Excess, ExcessKind};
+use super::excess_kind::ExcessKind;
+use super::response::Excess;
 use crate::Floors;
 
 impl Display for Excess {
@@ -62,7 +63,7 @@ impl Excess {
                  alpha_per_s = 0",
                 percent(found)
             ),
-            ExcessKind::ResidualDrift if found > Excess::MOST_DRIFT => format!(
+            ExcessKind::ResidualDrift if found > ExcessKind::MOST_DRIFT => format!(
                 "drift of {} of the storey height left at the end, more than 2.5 %, which columns hardly survive: the value is one of a model \
                  without loss of strength, and says only that the building would not be used again",
                 percent(found)
@@ -94,7 +95,7 @@ impl Excess {
         });
         let ratios = assumed.filter_map(|(floor, one)| one.drift_ratio(drift(floor)));
         let largest = ratios.reduce(f64::max)?;
-        (largest > BRITTLE && largest <= Self::MOST_DRIFT).then(|| {
+        (largest > BRITTLE && largest <= ExcessKind::MOST_DRIFT).then(|| {
             format!(
                 "drifts of up to {} of the storey height are judged by 2.5 %, the limit of ductile construction, which is assumed; masonry and \
                  non-ductile frames fail at 0.4 to 1 % (drift_capacity_ratio)",
@@ -177,7 +178,7 @@ fn drift(found: f64, capacity: Option<f64>) -> String {
 /// What gravity does at a stability coefficient θ = P Δ/(V h): of a perfectly plastic storey it leaves 1 − θ of the strength.
 fn gravity(found: f64) -> String {
     let theta = format!("stability coefficient P Δ/(V h) = {}", short(found));
-    let [matters, most] = Excess::MOST_STABILITY;
+    let [matters, most] = ExcessKind::MOST_STABILITY;
     let left = format!("{:.0} %", 100.0 * (1.0 - found));
     if found >= 1.0 {
         format!(
