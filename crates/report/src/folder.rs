@@ -128,20 +128,19 @@ impl<'a, T: UnderMotion> OfFolder<'a, T> {
         said.chain(T::warnings(self.scene)).collect()
     }
 
-    /// The parts that every answer about a folder begins with, and its facts for programs.
+    /// The parts that every answer about a folder begins with, and its facts for programs. [Warnings](Self::warnings) follow its result.
     pub fn answer(&self) -> Answer<'a> {
-        let (unusual, warnings) = (self.unusual(), self.warnings());
+        let unusual = self.unusual();
         let motions: Vec<Value> = self.lines.iter().map(|line| self.motion(line)).collect();
         Answer::new()
             .say(Where::Terminal, "Unusual", unusual.iter().map(ToString::to_string).collect())
             .say(Where::Terminal, "Answer", T::cautions(self))
-            .say(Where::Terminal, "Warnings", warnings.clone())
             .say(Where::Terminal, "Scene", vec![self.scene.name.clone()])
             .fact("scene", json!(self.scene))
             .fact("unusual", json!(unusual))
             .fact("cautions", T::cautions(self))
             .fact("records", self.suite.json())
-            .fact("warnings", warnings)
+            .fact("warnings", self.warnings())
             .fact("motions", motions)
             .fact("left_out", self.suite.left_out_json())
     }

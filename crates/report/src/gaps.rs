@@ -9,7 +9,7 @@ use serde_json::{Value, json};
 
 use crate::folder::{MotionRow, OfFolder, UnderMotion, factor};
 use crate::rules::{RuledGap, notes, sources};
-use crate::whatever_gap::{Fallen, over_capacity, says_over_capacity};
+use crate::whatever_gap::{Fallen, over_capacity, says_beyond, says_over_capacity};
 
 /// The widths that the gaps of a row need under one motion in one direction.
 #[derive(Debug)]
@@ -62,7 +62,9 @@ impl UnderMotion for GapsUnderMotion {
     }
 
     fn cautions(folder: &OfFolder<'_, Self>) -> Vec<String> {
-        says_over_capacity(&over_capacity_of(folder)).into_iter().collect()
+        says_over_capacity(&over_capacity_of(folder), folder.scene.words())
+            .into_iter()
+            .collect()
     }
 
     fn warnings(scene: &Scene) -> Vec<String> {
@@ -122,6 +124,7 @@ pub fn gaps_answer<'a>(folder: &'a OfFolder<'_, GapsUnderMotion>, code: Option<R
         .chain(scaled)
         .chain(moat);
     answer
+        .say(Where::Terminal, "Warnings", folder.warnings())
         .say(Where::FirstScreen, "Records", folder.records(false))
         .say(Where::Details, "Records", folder.records(true))
         .say(
@@ -278,7 +281,7 @@ fn faced(one: &Separation) -> String {
     }
 }
 
-/// Adds the table of one gap and its result.
+/// Adds the result of one gap and its table.
 fn of_gap<'a>(folder: &OfFolder<'a, GapsUnderMotion>, answer: Answer<'a>, gap: &RequiredAt, shown: &[Rule]) -> Answer<'a> {
     let scene = folder.scene;
     let found = folder
@@ -300,8 +303,8 @@ fn of_gap<'a>(folder: &OfFolder<'a, GapsUnderMotion>, answer: Answer<'a>, gap: &
     let table = Table::of(found).shown("Record", |(line, _)| line.name());
     answer
         .say(Where::Terminal, "Gap", vec![format!("{one} – {other}{in_scene}")])
-        .table(Where::Terminal, numbers(scene, shown, table, |(_, one)| Some(*one)).grid())
         .say(Where::Terminal, "Result", said)
+        .table(Where::Terminal, numbers(scene, shown, table, |(_, one)| Some(*one)).grid())
 }
 
 /// The floors of a gap that face columns, in a sentence.
@@ -332,6 +335,7 @@ fn believed<'a>(folder: &OfFolder<'a, GapsUnderMotion>, gap: usize) -> BelievedW
         doubted: not_counted.len(),
         collapsed: events(collapsed.copied()),
         sample: EVENT,
+        words: folder.scene.words(),
     };
     let all = folder.found().filter(|(line, _)| !not_counted.contains(&line.event));
     let all: Vec<_> = all
@@ -343,11 +347,16 @@ fn believed<'a>(folder: &OfFolder<'a, GapsUnderMotion>, gap: usize) -> BelievedW
     let worst = beyond_belief(doubted.iter().map(|(_, excess)| *excess)).map(|worst| {
         let n = fallen.doubted;
         let events = if n == 1 { "event is" } else { "events are" };
+        // The widths are those of the row with its links.
+        let when = if folder.scene.links.is_empty() {
+            "even alone"
+        } else {
+            "even while nothing touches"
+        };
         format!(
-            "{n} {events} not counted, under which {} even alone, whatever the gap ({}: {})",
+            "{n} {events} not counted, under which {} {when}, whatever the gap ({})",
             fallen.says(),
-            worst.name,
-            worst.kind.brief(worst.found)
+            says_beyond(worst)
         )
     });
     BelievedWidths {

@@ -2,8 +2,8 @@
 
 use std::collections::BTreeSet;
 
-use pounding_assess::Case;
-use pounding_scene::{Excess, Floors, Often};
+use pounding_assess::{Case, says_believed};
+use pounding_scene::{Excess, Floors, Often, RowWords};
 
 /// Every building that exceeds a capacity of the scene even alone, by the drift or force that is farthest above it, with the number of `of`
 /// samples. `all` has such responses, each with its case.
@@ -26,17 +26,23 @@ pub(crate) fn over_capacity(floors: &Floors, all: &[(Case, &Excess)], of: usize,
 }
 
 /// The buildings that exceed a capacity even alone, in a sentence; `None` if none does.
-pub(crate) fn says_over_capacity(over: &[Excess]) -> Option<String> {
+pub(crate) fn says_over_capacity(over: &[Excess], words: RowWords) -> Option<String> {
+    let building = words.building;
     let exceed = match over.len() {
         0 => return None,
-        1 => "the building exceeds its capacity",
-        _ => "buildings exceed their capacity",
+        1 => format!("the {building} exceeds its capacity"),
+        _ => format!("{building}s exceed their capacity"),
     };
     let over: Vec<String> = over.iter().map(Excess::brief).collect();
     Some(format!(
         "Whatever the gap, {exceed} even alone ({}). The widths below keep floors apart, and do no more.",
         over.join("; ")
     ))
+}
+
+/// A response beyond belief and its limit: "a, storey 2: drift of 6.1 %, above 5 %, the most that is believed".
+pub(crate) fn says_beyond(worst: &Excess) -> String {
+    format!("{}: {}{}", worst.name, worst.kind.brief(worst.found), says_believed(worst.kind))
 }
 
 /// How many samples are not believed: a building would not stand in them.
@@ -50,16 +56,19 @@ pub(crate) struct Fallen {
     pub(crate) collapsed: usize,
     /// The word for a sample.
     pub(crate) sample: &'static str,
+    /// Words for the structures of the row.
+    pub(crate) words: RowWords,
 }
 
 impl Fallen {
     /// The subject and the verb of a sentence about the samples that are not believed.
-    pub(crate) fn says(&self) -> &'static str {
-        match self.collapsed {
-            0 => "a building would hardly stand",
-            n if n == self.doubted => "a building collapses",
-            _ => "a building collapses or would hardly stand",
-        }
+    pub(crate) fn says(&self) -> String {
+        let falls = match self.collapsed {
+            0 => "would hardly stand",
+            n if n == self.doubted => "collapses",
+            _ => "collapses or would hardly stand",
+        };
+        format!("a {} {falls}", self.words.building)
     }
 
     /// "the 6 events without a collapse".
@@ -80,7 +89,7 @@ impl Fallen {
     pub(crate) fn whatever(&self) -> String {
         match self.collapsed {
             0 => String::new(),
-            n => format!("; in {n} of {} a storey collapses whatever the gap", self.of),
+            n => format!("; in {n} of {} a {} collapses whatever the gap", self.of, self.words.storey),
         }
     }
 }

@@ -41,6 +41,7 @@ mod outline;
 mod pair_spectrum;
 pub mod parallel;
 mod quantity;
+mod row_words;
 mod settings;
 mod simulation;
 mod spectrum;
@@ -69,6 +70,7 @@ pub use judge::warning::{Warning, WarningPlace};
 pub use pair_spectrum::{PairSpectrum, PairValues, pair_spectra};
 pub use pounding_text::Refused;
 pub use quantity::{FloorQuantity, LinkQuantity, PairQuantity, Quantity, QuantityEntry, QuantityKind, RunValues};
+pub use row_words::RowWords;
 pub use simulation::dampers::MassDamping;
 pub use simulation::floors::{ColumnBeside, Floor, FloorPair, Floors, StoreyProperties, UnwatchedFloor};
 pub use simulation::{

@@ -111,30 +111,47 @@ pub(super) fn apart(prepared: &Simulation, outcome: &RunResult) -> Vec<String> {
     }
 }
 
-/// How far floors with seats move on them.
-pub(super) fn seats(prepared: &Simulation, outcome: &RunResult) -> Vec<String> {
-    let contacts = prepared.scene().contacts.as_deref().unwrap_or_default();
-    let values = outcome.values(prepared);
-    let pairs = prepared.floors().facing().iter().enumerate();
-    let seats = pairs.filter_map(|(pair, facing)| {
-        let contact = contacts.get(facing.contact)?;
-        let width = contact.seat_width_m.filter(|_| facing.column.is_none())?;
-        let moved = values.of(PairQuantity::LargestOpeningM, pair)? - contact.gap_m;
-        Some(format!(
-            "{}: {} of {} mm",
-            prepared.floors().names(pair).join(" – "),
-            short(1e3 * moved),
-            digits(1e3 * width)
-        ))
-    });
-    let seats: Vec<String> = seats.collect();
-    if seats.is_empty() {
-        return seats;
+/// How far the sides of every gap of a bridge move apart. Hinges of bridges have seats or restrainers.
+pub(super) fn openings(prepared: &Simulation, words: &InWords<'_>) -> Grid {
+    let floors = prepared.floors();
+    let is_hinged = seats(prepared).next().is_some() || prepared.scene().links.iter().any(|one| one.law.has_sides());
+    let is_shown = |pair: &usize| is_hinged && floors.facing()[*pair].column.is_none();
+    let seat = |pair: usize| seats(prepared).find(|(of, _)| *of == pair);
+    let used = |pair: usize| {
+        let opening = words.value(PairQuantity::LargestOpeningM, pair)?;
+        Some(short((opening - 1e3 * prepared.pairs()[pair].gap()).max(0.0)))
+    };
+    let table = Table::of(floors.pairs_by_contact().into_iter().filter(is_shown))
+        .shown("Gaps that open", |pair| floors.names(*pair).join(" – "))
+        .shown_number("Gap", &Unit::GAP, |pair| prepared.pairs()[*pair].gap())
+        .shown_in("mm", "Largest opening", |pair| words.text(PairQuantity::LargestOpeningM, *pair))
+        .shown_in("s", "at", |pair| words.text(PairQuantity::LargestOpeningTimeS, *pair));
+    if seats(prepared).next().is_none() {
+        return table.grid();
     }
-    vec![format!("used at most: {}", seats.join("; "))]
+    table
+        .shown_in("mm", "Seat used", move |pair| seat(*pair).and_then(|_| used(*pair)))
+        .shown_in("mm", "Seat", move |pair| seat(*pair).map(|(_, width)| digits(1e3 * width)))
+        .grid()
 }
 
-/// The worst of every building, each with the number of its floor or storey. The drift of isolators is none of columns, and is left out beside that of storeys.
+/// The pairs with a seat, and its width \[m\].
+fn seats(prepared: &Simulation) -> impl Iterator<Item = (usize, f64)> {
+    let contacts = prepared.scene().contacts.as_deref().unwrap_or_default();
+    let pairs = prepared.floors().facing().iter().enumerate();
+    let pairs = pairs.filter(|(_, facing)| facing.column.is_none());
+    pairs.filter_map(|(pair, facing)| Some((pair, contacts.get(facing.contact)?.seat_width_m?)))
+}
+
+/// What the used part of a seat is; empty if there is no seat.
+pub(super) fn says_seats(prepared: &Simulation) -> Vec<String> {
+    let is_seated = seats(prepared).next().is_some();
+    let said = "used is how far the right side moves away from the left one, the opening less the gap; beyond its seat (seat_width_m) it is unseated";
+    is_seated.then(|| said.to_owned()).into_iter().collect()
+}
+
+/// The worst of every building, each with the number of its floor or storey. How far isolators move comes
+/// first: it is no drift of columns.
 pub(super) fn buildings(prepared: &Simulation, words: &InWords<'_>) -> Grid {
     let floors = prepared.floors();
     let worst = |structure: usize, quantity: FloorQuantity| {
@@ -166,7 +183,19 @@ pub(super) fn buildings(prepared: &Simulation, words: &InWords<'_>) -> Grid {
     });
     let known: Vec<FloorQuantity> = known.collect();
     let heading = if has_storeys { "Largest (floor or storey)" } else { "Largest" };
+    let is_isolated = moving.iter().any(|one| floors.is_isolated(*one));
+    let isolators = |structure: usize| {
+        let mut own = floors.of_structure(structure).iter().copied();
+        let floor = own.find(|floor| floors.all()[*floor].is_isolation_layer())?;
+        let text = words.text(words.of_storey(FloorQuantity::PeakDriftM, floor), floor)?;
+        Some(text.trim_start_matches('-').to_owned())
+    };
     let table = Table::of(moving).shown(heading, |one| scene.structures[*one].name().to_owned());
+    let table = if is_isolated {
+        table.shown_in("mm", "Isolators move", move |one| isolators(*one))
+    } else {
+        table
+    };
     let table = known.into_iter().fold(table, |table, quantity| {
         let about = quantity.about();
         table.shown_in(about.unit.shown, about.heading, move |one| {

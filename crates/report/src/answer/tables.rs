@@ -126,7 +126,7 @@ pub(super) fn notes(prepared: &Simulation, outcome: &RunResult) -> String {
 pub(super) fn leaning(prepared: &Simulation, outcome: &RunResult) -> Vec<String> {
     let floors = prepared.floors();
     let said = |pair: usize| {
-        let one = outcome.of_pair(pair).leaning()?;
+        let one = outcome.leaning(prepared, pair)?;
         let names = floors.names(pair).join(" – ");
         Some(format!(
             "{names} for {} s from {} s on",
@@ -139,7 +139,7 @@ pub(super) fn leaning(prepared: &Simulation, outcome: &RunResult) -> Vec<String>
         return Vec::new();
     }
     vec![format!(
-        "touches of more than 0.25 s are pushes, and their impulses no measure of a blow: {}",
+        "touches of more than 0.25 s, longer than a blow of their contact, are pushes, and their impulses no measure of a blow: {}",
         said.join("; ")
     )]
 }

@@ -8,10 +8,10 @@ use pounding_text::{digits, short, two_decimals, two_digits};
 
 use super::{AssessedMotion, AssessmentReport, runs_of_cases};
 use crate::folder::CONVERT;
-use crate::whatever_gap::{Fallen, over_capacity, says_over_capacity};
+use crate::whatever_gap::{Fallen, over_capacity, says_beyond, says_over_capacity};
 
 /// Where buildings meet.
-const BESIDE: &str = "beside its neighbours";
+pub(super) const BESIDE: &str = "beside its neighbours";
 
 /// Least number of records whose mean a code takes: ASCE 7-16, 16.2.2.
 const ENOUGH: usize = 11;
@@ -38,7 +38,9 @@ impl AssessmentReport {
     /// Sentences before the answer, whether or not the gap is enough: buildings that no gap helps, how records were raised, what is not
     /// believed and does not count, and on what the answer rests and should not.
     pub fn before(&self) -> Vec<String> {
-        let first = says_over_capacity(&self.over_capacity()).into_iter().chain(self.raised());
+        let first = says_over_capacity(&self.over_capacity(), self.scene.words())
+            .into_iter()
+            .chain(self.raised());
         first.chain(self.disbelieved()).chain(self.cautions()).collect()
     }
 
@@ -58,6 +60,7 @@ impl AssessmentReport {
             doubted: self.assessment.disbelieved_alone,
             collapsed: self.assessment.collapsed_alone,
             sample: self.sample(),
+            words: self.scene.words(),
         }
     }
 
@@ -113,11 +116,10 @@ impl AssessmentReport {
             format!("{what} do not count below")
         };
         Some(format!(
-            "In {} {} {when} ({}: {}, under {}): {counts}.",
+            "In {} {} {when} ({}, under {}): {counts}.",
             self.of_cases(fallen.doubted),
             fallen.says(),
-            worst.name,
-            worst.kind.brief(worst.found),
+            says_beyond(worst),
             motion.name
         ))
     }
@@ -212,7 +214,7 @@ impl AssessmentReport {
             let n = one.unseated.filter(|n| *n > 0)?;
             let names = self.floors.names(pair).join(" – ");
             Some(format!(
-                "{names}: unseated in {}: the right floor moves farther away than its seat is wide, and may fall (seat_width_m)",
+                "{names}: unseated in {}: the right floor moves farther away from the left one than its seat is wide, and may fall (seat_width_m)",
                 self.of_cases(n)
             ))
         });

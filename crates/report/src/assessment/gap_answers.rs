@@ -3,6 +3,7 @@
 use pounding_assess::{Distribution, GapAssessment, TargetFit};
 use pounding_text::{millimetres, millimetres_up, percent, two_decimals, two_digits};
 
+use super::cautions::BESIDE;
 use super::{AssessedMotion, AssessmentReport};
 use crate::folder::factor;
 use crate::rules::{RuledGap, asked};
@@ -228,7 +229,15 @@ impl AssessmentReport {
         let motion = believed.chain(&self.motions).find(asks);
         let motion = motion.filter(|_| self.assessment.events > 1 && widest > ALIKE);
         motion.map_or_else(String::new, |one| {
-            format!(" Largest under {}{}.", one.shown(), factor(one.run.scale))
+            let past = one.run.disbelieved_beside.as_ref().filter(|_| one.run.disbelieved_alone.is_none());
+            let past = past.map_or_else(String::new, |past| {
+                format!(
+                    ", where with the gap of the scene {} is past the model {BESIDE} ({})",
+                    past.name,
+                    past.kind.brief(past.found)
+                )
+            });
+            format!(" Largest under {}{}{past}.", one.shown(), factor(one.run.scale))
         })
     }
 

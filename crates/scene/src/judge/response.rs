@@ -39,8 +39,11 @@ impl Excess {
         self.capacity.unwrap_or(self.kind.most())
     }
 
-    /// The response over its limit, or itself if the limit is 0. The larger of two of a kind is the worse.
+    /// The response over its limit, or itself if the limit is 0. The larger of two of a kind is the worse. Nothing is worse than a collapse.
     pub fn share(&self) -> f64 {
+        if self.kind == ExcessKind::Collapse {
+            return f64::MAX;
+        }
         let limit = self.limit();
         if limit > 0.0 { self.found / limit } else { self.found }
     }
@@ -192,7 +195,7 @@ impl Simulation {
         strains.max_by(|one, other| one.0.total_cmp(&other.0))
     }
 
-    /// Responses of a storey. Of one that falls only drifts and capacities are judged: its forces are those of the fall.
+    /// Responses of a storey. Of one that falls only its collapse and capacities are judged: the rest is that of the fall.
     fn judged(&self, result: &RunResult, floor: usize) -> Vec<Judged> {
         let floors = self.floors();
         let one = &floors.all()[floor];
@@ -205,6 +208,7 @@ impl Simulation {
         let ratio = made_of.height_m.map(|height| drift / height);
         let mut all = Vec::new();
         let collapse = result.collapse.filter(|one| one.floor == floor);
+        let falls = collapse.is_some();
         all.extend(collapse.and(ratio).map(|ratio| (ExcessKind::Collapse, ratio, None)));
         all.extend(told.shear_capacity_n.map(|capacity| (ExcessKind::Shear, shear, Some(capacity))));
         all.extend(
@@ -213,15 +217,14 @@ impl Simulation {
         );
         if let Some((ratio, capacity)) = ratio.zip(told.drift_capacity_ratio) {
             all.push((ExcessKind::Drift, ratio, Some(capacity)));
-        } else if !one.is_isolation_layer() {
+        } else if !falls && !one.is_isolation_layer() {
             all.extend(ratio.map(|ratio| (ExcessKind::Drift, ratio, None)));
             all.extend(one.ductility(drift).map(|found| (ExcessKind::Ductility, found, None)));
         }
-        if one.is_isolation_layer() {
+        if falls || one.is_isolation_layer() {
             return all;
         }
-        let falls = collapse.is_some();
-        if !falls && told.shear_capacity_n.is_none() {
+        if told.shear_capacity_n.is_none() {
             all.extend(
                 self.shear_over_weight(result, floor)
                     .map(|found| (ExcessKind::BaseShear, found, None)),

@@ -1,0 +1,25 @@
+//! What the structures of a row are called in sentences.
+
+use crate::{Scene, Structure};
+
+/// What the structures of a row and their storeys are called. A structure without storeys may be a deck or a tank.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct RowWords {
+    /// "building", or "structure" if none has storeys.
+    pub building: &'static str,
+    /// "storey" or "structure".
+    pub storey: &'static str,
+}
+
+impl Scene {
+    /// Words for the structures of the row and their storeys.
+    pub fn words(&self) -> RowWords {
+        let is_building = |one: &Structure| matches!(one, Structure::Building(_));
+        let [building, storey] = if self.structures.iter().any(is_building) {
+            ["building", "storey"]
+        } else {
+            ["structure"; 2]
+        };
+        RowWords { building, storey }
+    }
+}
