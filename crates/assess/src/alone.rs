@@ -1,6 +1,6 @@
 //! Buildings of a row that stand alone: one run usually gives the answer for both directions of a motion.
 
-use pounding_scene::{Error, Excess, Extras, RunResult, Simulation, StoreyProperties};
+use pounding_scene::{Error, Excess, Extras, Simulation, StoreyProperties};
 
 use crate::peaks::FloorPeaks;
 use crate::separation::Separation;
@@ -14,9 +14,9 @@ pub struct Alone {
     own: Vec<Separation>,
     /// Required width of every gap in the opposite direction; `None` if that direction needs a separate run.
     other: Option<Vec<Separation>>,
-    /// Responses that exceed the model or the limits of codes.
+    /// Responses of the row with its links that exceed the model or the limits of codes.
     pub(crate) excesses: Vec<Excess>,
-    /// The drift or force of every building that is farthest above a capacity of the scene.
+    /// The drift or force of every building of the row with its links that is farthest above a capacity of the scene.
     pub(crate) over_capacity: Vec<Excess>,
     /// Whether the run was reversed.
     reversed: bool,
@@ -36,20 +36,22 @@ impl Alone {
             ..Extras::default()
         })?;
         // Links change how floors come closer. What pounding does is measured against buildings without them.
-        let alone =
-            unlinked(&apart)?.map(|(alone, run)| (FloorPeaks::all(&alone, &run), alone.all_excesses(&run), alone.over_capacity(&run)));
+        let floors = if apart.scene().links.is_empty() {
+            FloorPeaks::all(&apart, &run)
+        } else {
+            let alone = apart.unlinked()?;
+            FloorPeaks::all(&alone, &alone.run_with(Extras::default())?)
+        };
         let separations = |reversed: bool| {
             let closings = run.closings.as_ref();
             closings.map_or_else(Vec::new, |closings| Separation::all(&apart, &run, closings, reversed))
         };
-        let of_apart = || (FloorPeaks::all(&apart, &run), apart.all_excesses(&run), apart.over_capacity(&run));
-        let (floors, excesses, over_capacity) = alone.unwrap_or_else(of_apart);
         Ok(Self {
             floors,
             own: separations(false),
             other: mirrors.then(|| separations(true)),
-            excesses,
-            over_capacity,
+            excesses: apart.all_excesses(&run),
+            over_capacity: apart.over_capacity(&run),
             reversed: simulation.scene().record.reversed,
         })
     }
@@ -62,16 +64,6 @@ impl Alone {
             self.other.as_deref()
         }
     }
-}
-
-/// The buildings of a row that stands apart without its links, and their run; `None` if it has no links.
-pub(crate) fn unlinked(apart: &Simulation) -> Result<Option<(Simulation, RunResult)>, Error> {
-    if apart.scene().links.is_empty() {
-        return Ok(None);
-    }
-    let alone = apart.unlinked()?;
-    let run = alone.run_with(Extras::default())?;
-    Ok(Some((alone, run)))
 }
 
 /// Whether reversed shaking mirrors the motion to the last bit while nothing touches. That holds if all floors begin at rest and all

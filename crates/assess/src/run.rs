@@ -155,7 +155,7 @@ impl AssessedRun {
             disbelieved_alone: beyond_belief(&alone.excesses).cloned(),
             disbelieved_beside,
             excesses,
-            excesses_alone: those_alone(&alone.excesses),
+            excesses_alone: those_alone(&alone.excesses, simulation.scene().words().alone),
             over_capacity_alone: alone.over_capacity.clone(),
             collapsed,
             unusual: simulation.doubts(),
@@ -193,10 +193,10 @@ const MOST_BELIEVED: [(ExcessKind, f64); 5] = [
 ];
 
 /// Drifts and forces of the buildings alone: widths come from these runs, and a wider gap leaves the buildings to them.
-fn those_alone(excesses: &[Excess]) -> Vec<Excess> {
+fn those_alone(excesses: &[Excess], alone: &str) -> Vec<Excess> {
     let strains = excesses.iter().filter(|one| one.kind.strains());
     let named = strains.map(|one| Excess {
-        name: format!("{} alone", one.name),
+        name: format!("{} {alone}", one.name),
         ..one.clone()
     });
     named.collect()

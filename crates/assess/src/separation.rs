@@ -6,8 +6,6 @@ use std::collections::btree_map::Entry;
 use pounding_scene::{Error, Excess, Extras, Floors, Property, RunResult, STANDARD_GRAVITY, Simulation};
 use pounding_solver::{Closing, Closings};
 
-use crate::alone::unlinked;
-
 /// Required width of one gap under one record.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Separation {
@@ -131,8 +129,8 @@ pub struct JudgedSeparations {
     pub separations: Vec<Separation>,
     /// Responses of the structures that stand apart, with their links, as far as they exceed their model or the limits of codes.
     pub excesses: Vec<Excess>,
-    /// The drift or force of every building that stands alone, without links, and exceeds a capacity of the scene.
-    pub over_capacity_alone: Vec<Excess>,
+    /// The drift or force of every such structure that exceeds a capacity of the scene.
+    pub over_capacity: Vec<Excess>,
 }
 
 impl JudgedSeparations {
@@ -147,12 +145,10 @@ impl JudgedSeparations {
             ..Extras::default()
         })?;
         let separations = run.closings.as_ref().map(|closings| Separation::all(&apart, &run, closings, false));
-        let alone = unlinked(&apart)?;
-        let over_capacity_alone = alone.map_or_else(|| apart.over_capacity(&run), |(alone, run)| alone.over_capacity(&run));
         Ok(Self {
             separations: separations.unwrap_or_default(),
             excesses: apart.all_excesses(&run),
-            over_capacity_alone,
+            over_capacity: apart.over_capacity(&run),
         })
     }
 }

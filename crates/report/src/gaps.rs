@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use pounding_assess::{Case, JudgedSeparations, MotionLine, RequiredGap, Rule, RuleAssessment, Scaling, Separation, beyond_belief};
 use pounding_scene::{Error, Excess, ExcessKind, Floors, Implausible, RecordUse, Scene, Simulation, Structure};
-use pounding_text::{Answer, Cell, Table, Where, digits, rounded_up, short};
+use pounding_text::{Answer, Cell, Shown, Table, Where, digits, rounded_up, short};
 use serde_json::{Value, json};
 
 use crate::folder::{MotionRow, OfFolder, UnderMotion, factor};
@@ -35,13 +35,13 @@ impl GapsUnderMotion {
         let JudgedSeparations {
             separations,
             excesses,
-            over_capacity_alone,
+            over_capacity,
         } = JudgedSeparations::of(apart)?;
         Ok(Self {
             separations,
             disbelieved: beyond_belief(&excesses).cloned(),
             excesses,
-            over_capacity: over_capacity_alone,
+            over_capacity,
             doubts: apart.doubts(),
             scale: apart.scale(),
         })
@@ -174,6 +174,8 @@ struct RequiredAt {
     not_counted: Option<String>,
     /// The events that do not count.
     fallen: Fallen,
+    /// Their indices.
+    fallen_events: BTreeSet<usize>,
 }
 
 impl RequiredAt {
@@ -184,6 +186,7 @@ impl RequiredAt {
             widest,
             not_counted,
             fallen,
+            fallen_events,
         } = believed(folder, index);
         let contacts = folder.scene.contacts.as_ref();
         Some(Self {
@@ -194,6 +197,7 @@ impl RequiredAt {
             widest,
             not_counted,
             fallen,
+            fallen_events,
         })
     }
 
@@ -300,7 +304,11 @@ fn of_gap<'a>(folder: &OfFolder<'a, GapsUnderMotion>, answer: Answer<'a>, gap: &
         std::iter::once(enough).chain(result(all, gap.own, told(), shown))
     }));
     said.extend(gap.widest.iter().map(|widest| format!("largest under {widest}")));
-    let table = Table::of(found).shown("Record", |(line, _)| line.name());
+    let is_counted = |line: &MotionLine<GapsUnderMotion>| !gap.fallen_events.contains(&line.event);
+    let table = Table::of(found).shown("Record", |(line, _)| {
+        let name = line.name();
+        Shown::from(name).over((!is_counted(line)).then(|| "not counted".into()))
+    });
     answer
         .say(Where::Terminal, "Gap", vec![format!("{one} – {other}{in_scene}")])
         .say(Where::Terminal, "Result", said)
@@ -322,6 +330,8 @@ struct BelievedWidths<'a> {
     not_counted: Option<String>,
     /// The events that do not count.
     fallen: Fallen,
+    /// Their indices.
+    fallen_events: BTreeSet<usize>,
 }
 
 /// Returns the widths of the events under which every building stands alone within belief.
@@ -347,15 +357,10 @@ fn believed<'a>(folder: &OfFolder<'a, GapsUnderMotion>, gap: usize) -> BelievedW
     let worst = beyond_belief(doubted.iter().map(|(_, excess)| *excess)).map(|worst| {
         let n = fallen.doubted;
         let events = if n == 1 { "event is" } else { "events are" };
-        // The widths are those of the row with its links.
-        let when = if folder.scene.links.is_empty() {
-            "even alone"
-        } else {
-            "even while nothing touches"
-        };
         format!(
-            "{n} {events} not counted, under which {} {when}, whatever the gap ({})",
+            "{n} {events} not counted, under which {} even {}, whatever the gap ({})",
             fallen.says(),
+            fallen.words.alone,
             says_beyond(worst)
         )
     });
@@ -364,6 +369,7 @@ fn believed<'a>(folder: &OfFolder<'a, GapsUnderMotion>, gap: usize) -> BelievedW
         widest,
         not_counted: worst,
         fallen,
+        fallen_events: not_counted,
     }
 }
 

@@ -35,7 +35,8 @@ pub(crate) fn says_over_capacity(over: &[Excess], words: RowWords) -> Option<Str
     };
     let over: Vec<String> = over.iter().map(Excess::brief).collect();
     Some(format!(
-        "Whatever the gap, {exceed} even alone ({}). The widths below keep floors apart, and do no more.",
+        "Whatever the gap, {exceed} even {} ({}). The widths below keep floors apart, and do no more.",
+        words.alone,
         over.join("; ")
     ))
 }

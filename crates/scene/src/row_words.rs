@@ -9,6 +9,8 @@ pub struct RowWords {
     pub building: &'static str,
     /// "storey" or "structure".
     pub storey: &'static str,
+    /// How structures stand between which nothing touches: "alone", or "while nothing touches" if links tie them.
+    pub alone: &'static str,
 }
 
 impl Scene {
@@ -20,6 +22,7 @@ impl Scene {
         } else {
             ["structure"; 2]
         };
-        RowWords { building, storey }
+        let alone = if self.links.is_empty() { "alone" } else { "while nothing touches" };
+        RowWords { building, storey, alone }
     }
 }

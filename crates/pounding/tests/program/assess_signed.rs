@@ -49,7 +49,7 @@ fn issue_a_caution_and_the_answer_judge_one_drift() {
     let work = workplace("signed_drift", &towers(0.03, 0.04));
     let said = flat(&assess(&work, &["--scale", "pga=0.4g"]));
     let drift = said.split("Largest drift when they touch: ").nth(1).expect("a drift");
-    let (drift, _) = drift.split_once(" of the storey height").expect("a ratio");
+    let (drift, _) = drift.split_once(" of the height").expect("a ratio");
     let caution = format!("Caution: Tower 8, storey 1: drift of {drift}, above its capacity of 3.0 %, in ");
     assert!(said.contains(&caution), "{caution}: {said}");
     assert!(said.contains(" of 2 events; "), "{said}");

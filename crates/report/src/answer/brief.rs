@@ -130,7 +130,10 @@ pub(super) fn openings(prepared: &Simulation, words: &InWords<'_>) -> Grid {
         return table.grid();
     }
     table
-        .shown_in("mm", "Seat used", move |pair| seat(*pair).and_then(|_| used(*pair)))
+        .shown_in("mm", "Seat used", move |pair| {
+            let is_off = words.value(PairQuantity::UnseatedS, *pair).is_some();
+            Shown::from(seat(*pair).and_then(|_| used(*pair))).over(is_off.then(|| "unseated".into()))
+        })
         .shown_in("mm", "Seat", move |pair| seat(*pair).map(|(_, width)| digits(1e3 * width)))
         .grid()
 }
@@ -181,9 +184,13 @@ pub(super) fn buildings(prepared: &Simulation, words: &InWords<'_>) -> Grid {
         let is_drift = *quantity == FloorQuantity::PeakDriftM;
         (has_storeys || !is_drift) && moving.iter().any(|one| worst(*one, *quantity).is_some())
     });
-    let known: Vec<FloorQuantity> = known.collect();
-    let heading = if has_storeys { "Largest (floor or storey)" } else { "Largest" };
+    let mut known: Vec<FloorQuantity> = known.collect();
     let is_isolated = moving.iter().any(|one| floors.is_isolated(*one));
+    if is_isolated && known.contains(&FloorQuantity::DriftRatio) {
+        // The column of isolators takes the place of the drifts in millimetres.
+        known.retain(|one| *one != FloorQuantity::PeakDriftM);
+    }
+    let heading = if has_storeys { "Largest (floor or storey)" } else { "Largest" };
     let isolators = |structure: usize| {
         let mut own = floors.of_structure(structure).iter().copied();
         let floor = own.find(|floor| floors.all()[*floor].is_isolation_layer())?;

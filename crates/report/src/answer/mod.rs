@@ -173,7 +173,12 @@ impl Report<'_> {
     /// Whose numbers the tables below an answer about both directions have.
     fn says_tables(&self) -> Vec<String> {
         let direction = self.directions.as_ref().map(|_| self.prepared.scene().record.direction());
-        let said = direction.map(|direction| format!("shaken {direction}, but for --effects"));
+        let effects = if self.effects.is_some() {
+            "; effects of both directions"
+        } else {
+            ""
+        };
+        let said = direction.map(|direction| format!("shaken {direction}{effects}"));
         said.into_iter().collect()
     }
 

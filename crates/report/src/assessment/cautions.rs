@@ -90,7 +90,7 @@ impl AssessmentReport {
         let mut beside = found(|run| run.disbelieved_beside.as_ref());
         beside.retain(|(case, ..)| !not_alone.contains(case));
         let said = [
-            self.says_disbelieved(&alone, "even alone, whatever the gap", "these"),
+            self.says_disbelieved(&alone, &format!("even {}, whatever the gap", self.scene.words().alone), "these"),
             self.says_disbelieved(&beside, BESIDE, "forces and effects of these"),
         ];
         said.into_iter().flatten().collect()
@@ -214,7 +214,7 @@ impl AssessmentReport {
             let n = one.unseated.filter(|n| *n > 0)?;
             let names = self.floors.names(pair).join(" – ");
             Some(format!(
-                "{names}: unseated in {}: the right floor moves farther away from the left one than its seat is wide, and may fall (seat_width_m)",
+                "{names}: unseated in {}: the right side moves farther away from the left one than its seat is wide, and may fall (seat_width_m)",
                 self.of_cases(n)
             ))
         });

@@ -28,7 +28,7 @@ impl AssessmentReport {
                 100.0 * TargetFit::LEAST_SHARE
             ));
         }
-        (self.assessment.believed_alone() == 0).then(|| format!("{} even alone under every {}", self.fallen().says(), self.sample()))
+        (self.assessment.believed_alone() == 0).then(|| self.says_fallen(&format!("under every {}", self.sample())))
     }
 
     /// The width that is proposed for a gap: the largest that is needed, or that of the named code if it asks for more. `None` if these records
@@ -154,14 +154,21 @@ impl AssessmentReport {
                 |levels| format!("because {levels} were not looked at"),
             );
             return format!(
-                "{width} mm is not enough between {left} and {right}: alone they need {} mm. In these runs they do not touch, {why}.",
+                "{width} mm is not enough between {left} and {right}: they need {} mm while nothing touches. In these runs they do not touch, {why}.",
                 millimetres_up(needed)
             );
         }
         // Buildings that stand alone need less; one that is pushed by its other neighbour may need more.
         if own >= needed {
+            if let Some(why) = self.says_not_counted() {
+                return format!(
+                    "{width} mm is not shown to be enough between {left} and {right}: it is as wide as the events that count need, but they \
+                     touch in {}, and {why}.",
+                    self.touch_in(gap)
+                );
+            }
             return format!(
-                "{width} mm is as wide as {left} and {right} need alone, but they touch in {}, pushed by another neighbour: the other gaps \
+                "{width} mm is as wide as {left} and {right} need while nothing touches, but they touch in {}, pushed by another neighbour: the other gaps \
                  decide.",
                 self.touch_in(gap)
             );
@@ -244,7 +251,13 @@ impl AssessmentReport {
     /// Why a gap that stays open under some events is not enough under all; `None` if all events count.
     fn says_not_counted(&self) -> Option<String> {
         let n = self.assessment.disbelieved_alone;
-        (n > 0).then(|| format!("{} even alone in {}", self.fallen().says(), self.of_cases(n)))
+        (n > 0).then(|| self.says_fallen(&format!("in {}", self.of_cases(n))))
+    }
+
+    /// "a building would hardly stand even alone in 2 of 9 events".
+    fn says_fallen(&self, when: &str) -> String {
+        let fallen = self.fallen();
+        format!("{} even {} {when}", fallen.says(), fallen.words.alone)
     }
 
     /// The proposed width of every gap that is not enough, and the chance that remains; what bumpers do, if they were asked for.
