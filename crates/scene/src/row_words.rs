@@ -1,8 +1,8 @@
-//! What the structures of a row are called in sentences.
+//! Words for the structures of a row in sentences.
 
 use crate::{Scene, Structure};
 
-/// What the structures of a row and their storeys are called. A structure without storeys may be a deck or a tank.
+/// Words for the structures of a row and their storeys. A structure without storeys may be a deck or a tank.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct RowWords {
     /// "building", or "structure" if none has storeys.

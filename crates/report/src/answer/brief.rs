@@ -146,7 +146,7 @@ fn seats(prepared: &Simulation) -> impl Iterator<Item = (usize, f64)> {
     pairs.filter_map(|(pair, facing)| Some((pair, contacts.get(facing.contact)?.seat_width_m?)))
 }
 
-/// What the used part of a seat is; empty if there is no seat.
+/// Defines the used part of a seat; empty if there is no seat.
 pub(super) fn says_seats(prepared: &Simulation) -> Vec<String> {
     let is_seated = seats(prepared).next().is_some();
     let said = "used is how far the right side moves away from the left one, the opening less the gap; beyond its seat (seat_width_m) it is unseated";

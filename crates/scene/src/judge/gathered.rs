@@ -7,8 +7,8 @@ use super::excess_kind::ExcessKind;
 use super::response::{Excess, Often};
 
 impl Excess {
-    /// Gathers responses over several samples, such as runs, the most harmful kind first: the worst of every kind above a general limit, the
-    /// worst above a capacity of the scene, and the number of samples in which the same storey exceeds that limit. A sample is
+    /// Gathers responses over several samples, such as runs, the most harmful kind first. Each kind has its worst above a general limit
+    /// and its worst above a capacity of the scene, with the number of samples in which the same storey exceeds that limit. A sample is
     /// [all of its responses](crate::Simulation::all_excesses). `sample` is the word for a sample.
     pub fn gathered(samples: impl IntoIterator<Item: AsRef<[Self]>>, sample: &'static str) -> Vec<Self> {
         let samples: Vec<_> = samples.into_iter().collect();
