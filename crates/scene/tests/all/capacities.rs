@@ -122,7 +122,7 @@ fn issue_capacities_replace_the_limits_of_ductile_construction() {
     insta::assert_snapshot!(said(", drift_capacity_ratio = 0.01, shear_capacity_n = 3e6"), @"");
     insta::assert_snapshot!(said(", drift_capacity_ratio = 0.004, shear_capacity_n = 2e6"), @r"
     shop: drift of 0.80 % of the height, above its capacity of 0.40 %: columns that lose strength, which the model leaves out, decide
-    shop: shear force of 2400 kN, above its capacity of 2000 kN: the storey fails before it does what the model says
+    shop: shear force of 2400 kN, above its capacity of 2000 kN: it fails before it does what the model says
     ");
     // With a capacity of drift the ductility is not judged besides.
     insta::assert_snapshot!(said(", yield_displacement_m = 0.003, drift_capacity_ratio = 0.01"), @r"

@@ -178,11 +178,11 @@ fn issue_the_unstable_equilibrium_is_named() {
         unstable.map(ToString::to_string).collect::<Vec<_>>().join("\n")
     };
     let storey = Storey::at(1.05);
-    insta::assert_snapshot!(said(&storey.scene("")), @"a: its storey passes its unstable equilibrium, a drift of 250.0 mm, at t = 0.8542 s: from there gravity alone brings it down; nothing brought it back");
+    insta::assert_snapshot!(said(&storey.scene("")), @"a passes its unstable equilibrium, a drift of 250.0 mm, at t = 0.8542 s: from there gravity alone brings it down; nothing brought it back");
     // A wall holds it.
     let held = storey.scene("contacts = [{ gap_m = 0.3, law.stereomechanical.restitution = 0.5 }]");
     let held = held.replace("} }]\n", "} }, { wall = {} }]\n");
-    insta::assert_snapshot!(said(&held), @"a: its storey passes its unstable equilibrium, a drift of 250.0 mm, at t = 0.8542 s: from there gravity alone brings it down; shaking, the floors above or neighbours brought it back, or may still do so");
+    insta::assert_snapshot!(said(&held), @"a passes its unstable equilibrium, a drift of 250.0 mm, at t = 0.8542 s: from there gravity alone brings it down; shaking, the floors above or neighbours brought it back, or may still do so");
     // Columns that gain more than gravity takes have no unstable equilibrium.
     let hardens = storey
         .scene("")

@@ -161,7 +161,7 @@ fn reference_a_chain_that_comes_to_rest_together() {
 #[test]
 fn issue_no_building_is_realigned_from_far() {
     let left = |found: f64| {
-        let one = pounding_scene::Excess {
+        let one = Excess {
             kind: ExcessKind::ResidualDrift,
             floor: 0,
             name: "a".into(),
