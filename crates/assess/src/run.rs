@@ -206,10 +206,14 @@ fn those_alone(excesses: &[Excess], alone: &str) -> Vec<Excess> {
 pub fn says_believed(kind: ExcessKind) -> String {
     let mut limits = MOST_BELIEVED.iter();
     let limit = limits.find(|(one, most)| *one == kind && *most > 0.0);
-    let words = |most: f64| match kind {
-        ExcessKind::Drift => percent(most),
-        ExcessKind::Displacement => format!("{} mm", digits(1e3 * most)),
-        _ => digits(most),
+    let words = |most: f64| {
+        if kind == ExcessKind::Drift {
+            percent(most)
+        } else if kind == ExcessKind::Displacement {
+            format!("{} mm", digits(1e3 * most))
+        } else {
+            digits(most)
+        }
     };
     limit.map_or_else(String::new, |(_, most)| {
         format!(", above {}, the most that is believed", words(*most))

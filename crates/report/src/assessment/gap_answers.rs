@@ -158,26 +158,30 @@ impl AssessmentReport {
                 millimetres_up(needed)
             );
         }
-        // Buildings that stand alone need less; one that is pushed by its other neighbour may need more.
         if own >= needed {
-            if let Some(why) = self.says_not_counted() {
-                return format!(
-                    "{width} mm is not shown to be enough between {left} and {right}: it is as wide as the events that count need, but they \
-                     touch in {}, and {why}.",
-                    self.touch_in(gap)
-                );
-            }
-            return format!(
-                "{width} mm is as wide as {left} and {right} need while nothing touches, but they touch in {}, pushed by another neighbour: the other gaps \
-                 decide.",
-                self.touch_in(gap)
-            );
+            return self.wide_but_touching(own, gap);
         }
         format!(
             "{width} mm is not enough between {left} and {right}: they touch in {}. {}",
             self.touch_in(gap),
             self.would_do(gap, "would be enough")
         )
+    }
+
+    /// Neighbours that touch although their gap is as wide as they need: in events that do not count, or pushed by another neighbour.
+    fn wide_but_touching(&self, own: f64, gap: &GapAssessment) -> String {
+        let [left, right] = self.gap_names(gap);
+        let (width, touch) = (millimetres(own), self.touch_in(gap));
+        match self.says_not_counted() {
+            Some(why) => format!(
+                "{width} mm is not shown to be enough between {left} and {right}: it is as wide as the events that count need, but they touch \
+                 in {touch}, and {why}."
+            ),
+            None => format!(
+                "{width} mm is as wide as {left} and {right} need while nothing touches, but they touch in {touch}, pushed by another \
+                 neighbour: the other gaps decide."
+            ),
+        }
     }
 
     /// The width that is enough, in a sentence: "130 mm would be enough for all 11 events."
