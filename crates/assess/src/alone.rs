@@ -14,9 +14,9 @@ pub struct Alone {
     own: Vec<Separation>,
     /// Required width of every gap in the opposite direction; `None` if that direction needs a separate run.
     other: Option<Vec<Separation>>,
-    /// Responses that exceed the model or the limits of codes.
+    /// Responses of the row with its links that exceed the model or the limits of codes.
     pub(crate) excesses: Vec<Excess>,
-    /// The drift or force of every building that is farthest above a capacity of the scene.
+    /// The drift or force of every building of the row with its links that is farthest above a capacity of the scene.
     pub(crate) over_capacity: Vec<Excess>,
     /// Whether the run was reversed.
     reversed: bool,
@@ -36,25 +36,22 @@ impl Alone {
             ..Extras::default()
         })?;
         // Links change how floors come closer. What pounding does is measured against buildings without them.
-        let alone = if apart.scene().links.is_empty() {
-            None
+        let floors = if apart.scene().links.is_empty() {
+            FloorPeaks::all(&apart, &run)
         } else {
             let alone = apart.unlinked()?;
-            let run = alone.run_with(Extras::default())?;
-            Some((FloorPeaks::all(&alone, &run), alone.excesses(&run), alone.over_capacity(&run)))
+            FloorPeaks::all(&alone, &alone.run_with(Extras::default())?)
         };
         let separations = |reversed: bool| {
             let closings = run.closings.as_ref();
             closings.map_or_else(Vec::new, |closings| Separation::all(&apart, &run, closings, reversed))
         };
-        let of_apart = || (FloorPeaks::all(&apart, &run), apart.excesses(&run), apart.over_capacity(&run));
-        let (floors, excesses, over_capacity) = alone.unwrap_or_else(of_apart);
         Ok(Self {
             floors,
             own: separations(false),
             other: mirrors.then(|| separations(true)),
-            excesses,
-            over_capacity,
+            excesses: apart.all_excesses(&run),
+            over_capacity: apart.over_capacity(&run),
             reversed: simulation.scene().record.reversed,
         })
     }

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use pounding_scene::{Error, Floors, Scene};
+use pounding_scene::{Error, ExcessKind, Floors, Scene};
 
 use crate::distribution::{Case, Distribution, ratios_of_cases};
 use crate::peaks::FloorPeaks;
@@ -31,6 +31,8 @@ pub struct Assessment {
     pub disbelieved: usize,
     /// Number of cases in which a storey collapses under gravity; they are among those that are not believed.
     pub collapsed: usize,
+    /// Number of cases in which a storey collapses while the buildings stand alone: no width of a gap helps against it.
+    pub collapsed_alone: usize,
     /// Effect of the contact stiffness; `None` if no run that touches has several stiffnesses.
     pub by_stiffness: Option<StiffnessEffect>,
     /// Every gap between two neighbours, from the left.
@@ -189,6 +191,12 @@ impl RunOfCase<'_> {
         self.run.disbelieved_alone.is_some()
     }
 
+    /// Whether a storey collapses while the buildings stand alone. A collapse is always what is farthest beyond belief.
+    fn falls_alone(&self) -> bool {
+        let doubted = self.run.disbelieved_alone.as_ref();
+        doubted.is_some_and(|one| one.kind == ExcessKind::Collapse)
+    }
+
     fn is_doubted(&self) -> bool {
         self.is_doubted_alone() || self.run.disbelieved_beside.is_some()
     }
@@ -235,6 +243,7 @@ impl Assessment {
             disbelieved_alone,
             disbelieved,
             collapsed: count(runs.iter().filter(|one| one.run.collapsed).map(RunOfCase::case)),
+            collapsed_alone: count(runs.iter().filter(|one| one.falls_alone()).map(RunOfCase::case)),
             by_stiffness: row.by_stiffness(),
             gaps: (0..first.separations.len()).filter_map(|index| row.gap(index)).collect(),
             floors: (0..first.floors.len()).map(|floor| row.floor(floor)).collect(),

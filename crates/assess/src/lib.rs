@@ -61,9 +61,9 @@ pub use distribution::{Case, Distribution, wilson, wilson_of};
 pub use effects::{Effect, Effects, FloorEffects, FloorFact, Known};
 pub use peaks::FloorPeaks;
 pub use rule::{Rule, RuleWords};
-pub use run::{AssessedFloor, AssessedPair, AssessedRun, StiffnessFactors, beyond_belief};
+pub use run::{AssessedFloor, AssessedPair, AssessedRun, StiffnessFactors, beyond_belief, says_believed};
 pub use scaling::{MotionSpectrum, Scaling, SpectrumTarget, TargetFactors};
-pub use separation::Separation;
+pub use separation::{JudgedSeparations, Separation};
 pub use suite::{
     FolderUse, HorizontalPair, LeftOut, LeftOutKind, LeftOutReason, MotionLine, MotionLines, Suite, SuiteMotion, Watched, nothing_found,
 };

@@ -1,9 +1,8 @@
 //! One run of an assessment: a row under one motion in one direction, alone, beside its neighbours, and with softer and stiffer
 //! contact.
 
-use pounding_scene::{
-    Error, Excess, ExcessKind, Extras, Floors, Implausible, PairOutcome, PairQuantity, RunResult, Scene, Simulation, parallel,
-};
+use pounding_scene::{Error, Excess, ExcessKind, Extras, Floors, Implausible, PairQuantity, RunResult, Scene, Simulation, parallel};
+use pounding_text::{digits, percent};
 use serde::Serialize;
 
 use crate::alone::Alone;
@@ -120,22 +119,24 @@ impl AssessedRun {
             drift_rates: true,
             ..Extras::default()
         })?;
-        let mut excesses = exact.excesses(&beside);
+        let mut excesses = exact.all_excesses(&beside);
         let disbelieved_beside = beyond_belief(&excesses).cloned();
         let mut pushes = beside.collisions.all().iter();
-        let mut variants = Vec::new();
+        let (mut variants, mut stiffnesses) = (Vec::new(), Vec::new());
         if pushes.any(|one| one.peak_force.is_some()) {
             let others = factors.map(|factor| ((factor - 1.0).abs() > 0.0).then_some(factor));
             let others: Vec<f64> = others.into_iter().flatten().collect();
             // Both at once, so that the last motion of a folder does not leave processors idle.
             variants = parallel::try_each(&others, |factor| stiffened(&exact, *factor)?.run(None))?;
+            stiffnesses = others;
         }
         for one in &variants {
-            excesses.extend(exact.excesses(one).into_iter().filter(|one| one.kind.strains()));
+            excesses.extend(exact.all_excesses(one).into_iter().filter(|one| one.kind.strains()));
         }
         let mut judged = excesses.iter().chain(&alone.excesses);
         let collapsed = judged.any(|one| one.kind == ExcessKind::Collapse);
         variants.push(beside);
+        stiffnesses.push(1.0);
         let pairs = 0..simulation.pairs().len();
         let after: Vec<_> = variants.iter().map(|one| FloorPeaks::all(&exact, one)).collect();
         let floor = |index: usize| AssessedFloor {
@@ -150,11 +151,11 @@ impl AssessedRun {
             scale: simulation.scale(),
             separations,
             floors: (0..before.len()).map(floor).collect(),
-            pairs: pairs.map(|pair| assessed_pair(&exact, &variants, pair)).collect(),
+            pairs: pairs.map(|pair| assessed_pair(&exact, &variants, &stiffnesses, pair)).collect(),
             disbelieved_alone: beyond_belief(&alone.excesses).cloned(),
             disbelieved_beside,
-            excesses: Excess::worst(excesses),
-            excesses_alone: those_alone(&alone.excesses),
+            excesses,
+            excesses_alone: those_alone(&alone.excesses, simulation.scene().words().alone),
             over_capacity_alone: alone.over_capacity.clone(),
             collapsed,
             unusual: simulation.doubts(),
@@ -192,13 +193,31 @@ const MOST_BELIEVED: [(ExcessKind, f64); 5] = [
 ];
 
 /// Drifts and forces of the buildings alone: widths come from these runs, and a wider gap leaves the buildings to them.
-fn those_alone(excesses: &[Excess]) -> Vec<Excess> {
+fn those_alone(excesses: &[Excess], alone: &str) -> Vec<Excess> {
     let strains = excesses.iter().filter(|one| one.kind.strains());
     let named = strains.map(|one| Excess {
-        name: format!("{} alone", one.name),
+        name: format!("{} {alone}", one.name),
         ..one.clone()
     });
     named.collect()
+}
+
+/// The limit of belief behind a response of a kind, in words; empty if every such response is beyond it.
+pub fn says_believed(kind: ExcessKind) -> String {
+    let mut limits = MOST_BELIEVED.iter();
+    let limit = limits.find(|(one, most)| *one == kind && *most > 0.0);
+    let words = |most: f64| {
+        if kind == ExcessKind::Drift {
+            percent(most)
+        } else if kind == ExcessKind::Displacement {
+            format!("{} mm", digits(1e3 * most))
+        } else {
+            digits(most)
+        }
+    };
+    limit.map_or_else(String::new, |(_, most)| {
+        format!(", above {}, the most that is believed", words(*most))
+    })
 }
 
 /// Returns the response that is farthest beyond belief: a building with it would hardly stand. `None` if all are believed.
@@ -225,24 +244,25 @@ fn stiffened(simulation: &Simulation, factor: f64) -> Result<Simulation, Error> 
     simulation.variant(&scene, simulation.record().clone())
 }
 
-/// Assesses a pair; the last run has the contact stiffness of the scene.
-fn assessed_pair(simulation: &Simulation, runs: &[RunResult], pair: usize) -> AssessedPair {
+/// Assesses a pair under contacts of several stiffnesses; the last run has that of the scene.
+fn assessed_pair(simulation: &Simulation, runs: &[RunResult], stiffnesses: &[f64], pair: usize) -> AssessedPair {
     let own = &runs[runs.len() - 1];
     let over = |quantity: PairQuantity| range(runs.iter().filter_map(|run| run.values(simulation).of(quantity, pair)));
+    let blows = runs.iter().zip(stiffnesses);
     let speeds = own.collisions_of(pair).filter_map(|one| one.approach_speed);
     AssessedPair {
         collisions: own.collisions_of(pair).count(),
         peak_force: over(PairQuantity::PeakForceN),
         own_force: own.values(simulation).of(PairQuantity::PeakForceN, pair),
-        largest_impulse: range(runs.iter().filter_map(|run| largest_blow(run, pair))),
+        largest_impulse: range(blows.filter_map(|(run, stiffness)| largest_blow(simulation, run, *stiffness, pair))),
         approach_speed: speeds.reduce(f64::max),
         unseated: own.values(simulation).of(PairQuantity::UnseatedS, pair),
     }
 }
 
 /// Largest impulse of a pair in a collision that is a blow \[N·s\]: a building that leans on its neighbour pushes for as long as it leans.
-fn largest_blow(run: &RunResult, pair: usize) -> Option<f64> {
-    let blows = run.collisions_of(pair).filter(|one| one.end - one.start <= PairOutcome::LEANS);
+fn largest_blow(simulation: &Simulation, run: &RunResult, stiffness: f64, pair: usize) -> Option<f64> {
+    let blows = run.collisions_of(pair).filter(|one| !simulation.is_push(one, stiffness));
     blows.map(|one| one.impulse).reduce(f64::max)
 }
 

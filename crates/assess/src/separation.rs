@@ -49,22 +49,7 @@ impl Separation {
     /// # Errors
     /// Errors of [`Simulation::run_with`].
     pub fn of(simulation: &Simulation) -> Result<Vec<Self>, Error> {
-        Ok(Self::judged(simulation)?.0)
-    }
-
-    /// Returns the [required widths](Self::of), and the responses of the structures alone that exceed their model or the limits of codes.
-    ///
-    /// # Errors
-    /// Errors of [`Simulation::run_with`].
-    pub fn judged(simulation: &Simulation) -> Result<(Vec<Self>, Vec<Excess>), Error> {
-        let apart = simulation.apart()?.exact()?;
-        let asked = Extras {
-            closings: true,
-            ..Extras::default()
-        };
-        let alone = apart.run_with(asked)?;
-        let separations = alone.closings.as_ref().map(|closings| Self::all(&apart, &alone, closings, false));
-        Ok((separations.unwrap_or_default(), apart.excesses(&alone)))
+        Ok(JudgedSeparations::of(simulation)?.separations)
     }
 
     /// Returns the required width of every gap, from a run of the row alone and its closings, as it shakes or under the mirrored shaking.
@@ -134,6 +119,37 @@ impl Separation {
     /// Whether a width \[m\] is less than the required width, by more than its uncertainty.
     pub fn asks_for_more(&self, width: f64) -> bool {
         width < self.required * (1.0 - LOOKED)
+    }
+}
+
+/// The required widths of a row, and what they do not help against.
+#[derive(Debug, Clone, PartialEq)]
+pub struct JudgedSeparations {
+    /// The [required widths](Separation::of).
+    pub separations: Vec<Separation>,
+    /// Responses of the structures that stand apart, with their links, as far as they exceed their model or the limits of codes.
+    pub excesses: Vec<Excess>,
+    /// The drift or force of every such structure that exceeds a capacity of the scene.
+    pub over_capacity: Vec<Excess>,
+}
+
+impl JudgedSeparations {
+    /// Returns the required widths under the record of a simulation, by the exact method.
+    ///
+    /// # Errors
+    /// Errors of [`Simulation::run_with`].
+    pub fn of(simulation: &Simulation) -> Result<Self, Error> {
+        let apart = simulation.apart()?.exact()?;
+        let run = apart.run_with(Extras {
+            closings: true,
+            ..Extras::default()
+        })?;
+        let separations = run.closings.as_ref().map(|closings| Separation::all(&apart, &run, closings, false));
+        Ok(Self {
+            separations: separations.unwrap_or_default(),
+            excesses: apart.all_excesses(&run),
+            over_capacity: apart.over_capacity(&run),
+        })
     }
 }
 

@@ -94,7 +94,10 @@ fn sentences(prepared: &Simulation, mut both: [(&str, &RunResult); 2]) -> [Strin
         let ((name, result), (_, worst)) = (both[side], &strains[side]);
         let said = shaken(name, prepared, result);
         match (differ, side) {
-            (true, 0) => format!("{said} This direction is worse for the buildings ({worst})."),
+            (true, 0) => format!(
+                "{said} This direction is worse for the {}s ({worst}).",
+                prepared.scene().words().building
+            ),
             (true, _) => format!("{said} Worst here: {worst}."),
             (false, _) => said,
         }
@@ -209,7 +212,9 @@ fn how_hard(prepared: &Simulation, result: &RunResult, hardest: &Blow) -> String
     // The ground or a residual drift may press two buildings together without a hard hit.
     let found = result.of_pair(hardest.pair);
     let largest = found.largest.map(|largest| largest.start.to_bits());
-    let push = found.leaning().filter(|longest| largest == Some(longest.start.to_bits()));
+    let push = result
+        .leaning(prepared, hardest.pair)
+        .filter(|longest| largest == Some(longest.start.to_bits()));
     let push = push.map_or_else(String::new, |push| {
         format!(
             "; the largest impulse is that of a push of {} s, no blow",

@@ -34,8 +34,21 @@ pub trait UnderMotion {
     /// Unusual values in the scene or in the record.
     fn doubts(&self) -> &[Implausible];
 
-    /// Responses beyond the model or codes.
+    /// All responses beyond the model or codes.
     fn excesses(&self) -> &[Excess];
+
+    /// Whether a response over all motions is worth a warning.
+    fn warns(_excess: &Excess) -> bool {
+        true
+    }
+
+    /// Sentences before all but unusual values.
+    fn cautions(_folder: &OfFolder<'_, Self>) -> Vec<String>
+    where
+        Self: Sized,
+    {
+        Vec::new()
+    }
 
     /// Warnings about the scene, whatever the motion.
     fn warnings(_scene: &Scene) -> Vec<String> {
@@ -110,22 +123,24 @@ impl<'a, T: UnderMotion> OfFolder<'a, T> {
         let excesses = Excess::gathered(self.found().map(|(_, found)| found.excesses()), "run");
         let missing = self.suite.says_missing(MotionLine::failed(self.lines).len()).into_iter();
         let units = self.suite.says_units_apart().map(|said| format!("{said}: {CONVERT}"));
-        let said = missing.chain(units).chain(excesses.iter().map(ToString::to_string));
+        let excesses = excesses.iter().filter(|one| T::warns(one));
+        let said = missing.chain(units).chain(excesses.map(ToString::to_string));
         said.chain(T::warnings(self.scene)).collect()
     }
 
-    /// The parts that every answer about a folder begins with, and its facts for programs.
+    /// The parts that every answer about a folder begins with, and its facts for programs. [Warnings](Self::warnings) follow its result.
     pub fn answer(&self) -> Answer<'a> {
-        let (unusual, warnings) = (self.unusual(), self.warnings());
+        let unusual = self.unusual();
         let motions: Vec<Value> = self.lines.iter().map(|line| self.motion(line)).collect();
         Answer::new()
             .say(Where::Terminal, "Unusual", unusual.iter().map(ToString::to_string).collect())
-            .say(Where::Terminal, "Warnings", warnings.clone())
+            .say(Where::Terminal, "Answer", T::cautions(self))
             .say(Where::Terminal, "Scene", vec![self.scene.name.clone()])
             .fact("scene", json!(self.scene))
             .fact("unusual", json!(unusual))
+            .fact("cautions", T::cautions(self))
             .fact("records", self.suite.json())
-            .fact("warnings", warnings)
+            .fact("warnings", self.warnings())
             .fact("motions", motions)
             .fact("left_out", self.suite.left_out_json())
     }

@@ -2,20 +2,23 @@
 
 use std::collections::BTreeSet;
 
-use pounding_assess::{Case, RequiredGap, Rule, RuleAssessment, Scaling, Separation, beyond_belief};
-use pounding_scene::{Error, Excess, Floors, Implausible, RecordUse, Scene, Simulation, Structure};
-use pounding_text::{Answer, Cell, Table, Where, digits, rounded_up, short};
+use pounding_assess::{Case, JudgedSeparations, MotionLine, RequiredGap, Rule, RuleAssessment, Scaling, Separation, beyond_belief};
+use pounding_scene::{Error, Excess, ExcessKind, Floors, Implausible, RecordUse, Scene, Simulation, Structure};
+use pounding_text::{Answer, Cell, Shown, Table, Where, digits, rounded_up, short};
 use serde_json::{Value, json};
 
 use crate::folder::{MotionRow, OfFolder, UnderMotion, factor};
 use crate::rules::{RuledGap, notes, sources};
+use crate::whatever_gap::{Fallen, over_capacity, says_beyond, says_over_capacity};
 
 /// The widths that the gaps of a row need under one motion in one direction.
 #[derive(Debug)]
 pub struct GapsUnderMotion {
     separations: Vec<Separation>,
-    /// Responses beyond the model, of the kinds that count for widths.
-    cautions: Vec<Excess>,
+    /// Responses beyond the model.
+    excesses: Vec<Excess>,
+    /// Those of buildings that exceed a capacity of the scene even alone.
+    over_capacity: Vec<Excess>,
     /// The response that is farthest beyond belief; `None` if the widths are believed.
     disbelieved: Option<Excess>,
     doubts: Vec<Implausible>,
@@ -27,15 +30,18 @@ impl GapsUnderMotion {
     /// Looks at a scene whose structures stand apart.
     ///
     /// # Errors
-    /// Errors of [`Separation::judged`].
+    /// Errors of [`JudgedSeparations::of`].
     pub fn of(apart: &Simulation) -> Result<Self, Error> {
-        let (separations, mut excesses) = Separation::judged(apart)?;
-        let disbelieved = beyond_belief(&excesses).cloned();
-        excesses.retain(Excess::is_caution);
+        let JudgedSeparations {
+            separations,
+            excesses,
+            over_capacity,
+        } = JudgedSeparations::of(apart)?;
         Ok(Self {
             separations,
-            cautions: excesses,
-            disbelieved,
+            disbelieved: beyond_belief(&excesses).cloned(),
+            excesses,
+            over_capacity,
             doubts: apart.doubts(),
             scale: apart.scale(),
         })
@@ -48,7 +54,17 @@ impl UnderMotion for GapsUnderMotion {
     }
 
     fn excesses(&self) -> &[Excess] {
-        &self.cautions
+        &self.excesses
+    }
+
+    fn warns(excess: &Excess) -> bool {
+        excess.is_caution()
+    }
+
+    fn cautions(folder: &OfFolder<'_, Self>) -> Vec<String> {
+        says_over_capacity(&over_capacity_of(folder), folder.scene.words())
+            .into_iter()
+            .collect()
     }
 
     fn warnings(scene: &Scene) -> Vec<String> {
@@ -61,6 +77,25 @@ impl UnderMotion for GapsUnderMotion {
     fn facts(&self, scene: &Scene) -> Value {
         json!({"gaps": numbers(scene, &Rule::COMMON, Table::of(&self.separations), |one| Some(*one)).json()})
     }
+}
+
+/// Every building that exceeds a capacity of the scene even alone.
+fn over_capacity_of(folder: &OfFolder<'_, GapsUnderMotion>) -> Vec<Excess> {
+    let all = folder
+        .found()
+        .flat_map(|(line, found)| found.over_capacity.iter().map(|one| ([line.event, 0], one)));
+    let all: Vec<(Case, &Excess)> = all.collect();
+    // Structures of a row that ran are sound.
+    let floors = Floors::of(&folder.scene.apart()).ok();
+    floors.map_or_else(Vec::new, |floors| over_capacity(&floors, &all, events(folder.found()), EVENT))
+}
+
+/// The word for a sample.
+const EVENT: &str = "event";
+
+/// Number of the events of these motions.
+fn events<'a, T: 'a>(found: impl Iterator<Item = (&'a MotionLine<GapsUnderMotion>, T)>) -> usize {
+    found.map(|(line, _)| line.event).collect::<BTreeSet<usize>>().len()
 }
 
 /// A table for each gap, and which rules are too narrow. `code` names the rule of a code whose width is told in a sentence.
@@ -89,6 +124,7 @@ pub fn gaps_answer<'a>(folder: &'a OfFolder<'_, GapsUnderMotion>, code: Option<R
         .chain(scaled)
         .chain(moat);
     answer
+        .say(Where::Terminal, "Warnings", folder.warnings())
         .say(Where::FirstScreen, "Records", folder.records(false))
         .say(Where::Details, "Records", folder.records(true))
         .say(
@@ -136,6 +172,10 @@ struct RequiredAt {
     widest: Option<String>,
     /// Why events do not count, if there are any.
     not_counted: Option<String>,
+    /// The events that do not count.
+    fallen: Fallen,
+    /// Their indices.
+    fallen_events: BTreeSet<usize>,
 }
 
 impl RequiredAt {
@@ -145,6 +185,8 @@ impl RequiredAt {
             found,
             widest,
             not_counted,
+            fallen,
+            fallen_events,
         } = believed(folder, index);
         let contacts = folder.scene.contacts.as_ref();
         Some(Self {
@@ -154,6 +196,8 @@ impl RequiredAt {
             all: RequiredGap::of(&found),
             widest,
             not_counted,
+            fallen,
+            fallen_events,
         })
     }
 
@@ -165,7 +209,7 @@ impl RequiredAt {
             needed: all.required.largest(),
             rules: &all.rules,
             not_counted: self.not_counted.clone(),
-            sample: "event",
+            sample: EVENT,
         })
     }
 }
@@ -241,7 +285,7 @@ fn faced(one: &Separation) -> String {
     }
 }
 
-/// Adds the table of one gap and its result.
+/// Adds the result of one gap and its table.
 fn of_gap<'a>(folder: &OfFolder<'a, GapsUnderMotion>, answer: Answer<'a>, gap: &RequiredAt, shown: &[Rule]) -> Answer<'a> {
     let scene = folder.scene;
     let found = folder
@@ -254,13 +298,21 @@ fn of_gap<'a>(folder: &OfFolder<'a, GapsUnderMotion>, answer: Answer<'a>, gap: &
         .map_or_else(String::new, |own| format!(", {} mm in the scene", digits(own * 1e3)));
     let told = || says_columns(scene, gap.left);
     let mut said: Vec<String> = gap.not_counted.iter().cloned().collect();
-    said.extend(gap.all.as_ref().map_or_else(Vec::new, |all| result(all, gap.own, told(), shown)));
+    let is_over = !over_capacity_of(folder).is_empty();
+    said.extend(gap.all.as_ref().into_iter().flat_map(|all| {
+        let enough = says_enough(all, &gap.fallen, is_over);
+        std::iter::once(enough).chain(result(all, gap.own, told(), shown))
+    }));
     said.extend(gap.widest.iter().map(|widest| format!("largest under {widest}")));
-    let table = Table::of(found).shown("Record", |(line, _)| line.name());
+    let is_counted = |line: &MotionLine<GapsUnderMotion>| !gap.fallen_events.contains(&line.event);
+    let table = Table::of(found).shown("Record", |(line, _)| {
+        let name = line.name();
+        Shown::from(name).over((!is_counted(line)).then(|| "not counted".into()))
+    });
     answer
         .say(Where::Terminal, "Gap", vec![format!("{one} – {other}{in_scene}")])
-        .table(Where::Terminal, numbers(scene, shown, table, |(_, one)| Some(*one)).grid())
         .say(Where::Terminal, "Result", said)
+        .table(Where::Terminal, numbers(scene, shown, table, |(_, one)| Some(*one)).grid())
 }
 
 /// The floors of a gap that face columns, in a sentence.
@@ -276,14 +328,26 @@ struct BelievedWidths<'a> {
     widest: Option<String>,
     /// A sentence about the events that do not count.
     not_counted: Option<String>,
+    /// The events that do not count.
+    fallen: Fallen,
+    /// Their indices.
+    fallen_events: BTreeSet<usize>,
 }
 
 /// Returns the widths of the events under which every building stands alone within belief.
 fn believed<'a>(folder: &OfFolder<'a, GapsUnderMotion>, gap: usize) -> BelievedWidths<'a> {
     let doubted = folder.found().filter_map(|(line, found)| Some((line, found.disbelieved.as_ref()?)));
     let doubted: Vec<_> = doubted.collect();
-    let events: BTreeSet<usize> = doubted.iter().map(|(line, _)| line.event).collect();
-    let all = folder.found().filter(|(line, _)| !events.contains(&line.event));
+    let not_counted: BTreeSet<usize> = doubted.iter().map(|(line, _)| line.event).collect();
+    let collapsed = doubted.iter().filter(|(_, excess)| excess.kind == ExcessKind::Collapse);
+    let fallen = Fallen {
+        of: events(folder.found()),
+        doubted: not_counted.len(),
+        collapsed: events(collapsed.copied()),
+        sample: EVENT,
+        words: folder.scene.words(),
+    };
+    let all = folder.found().filter(|(line, _)| !not_counted.contains(&line.event));
     let all: Vec<_> = all
         .filter_map(|(line, found)| Some((line, found, found.separations.get(gap)?)))
         .collect();
@@ -291,18 +355,21 @@ fn believed<'a>(folder: &OfFolder<'a, GapsUnderMotion>, gap: usize) -> BelievedW
     let widest = widest.filter(|(.., one)| folder.suite.n_events > 1 && one.required > 0.0);
     let widest = widest.map(|(line, found, _)| format!("{}{}", line.name(), factor(found.scale)));
     let worst = beyond_belief(doubted.iter().map(|(_, excess)| *excess)).map(|worst| {
-        let n = events.len();
+        let n = fallen.doubted;
         let events = if n == 1 { "event is" } else { "events are" };
         format!(
-            "{n} {events} not counted, under which a building would hardly stand even alone, whatever the gap ({}: {})",
-            worst.name,
-            worst.kind.brief(worst.found)
+            "{n} {events} not counted, under which {} even {}, whatever the gap ({})",
+            fallen.says(),
+            fallen.words.alone,
+            says_beyond(worst)
         )
     });
     BelievedWidths {
         found: all.iter().map(|(line, _, one)| ([line.event, 0], *one)).collect(),
         widest,
         not_counted: worst,
+        fallen,
+        fallen_events: not_counted,
     }
 }
 
@@ -333,20 +400,36 @@ fn enough(width: f64) -> String {
     rounded_up(width * 1e3, decimals)
 }
 
-/// The width that is enough for all events, and whether the rules and the gap of the scene give it.
-fn result(all: &RequiredGap, own: Option<f64>, columns: Option<String>, shown: &[Rule]) -> Vec<String> {
+/// The width that is enough for all events. If a building collapses or exceeds a capacity alone, it keeps floors apart, and is not called enough.
+fn says_enough(all: &RequiredGap, fallen: &Fallen, is_over: bool) -> String {
     let widths = &all.required;
     let n = widths.sorted().len();
     let largest = enough(widths.largest());
-    let mut lines = vec![match n {
-        1 => format!("{largest} mm are enough for the only event"),
-        n if widths.has_quantiles() => format!(
-            "{largest} mm are enough for all {n} events; {} mm for half of them, {} mm for 84 %",
+    let [enough_for, all_events] = match (fallen.collapsed, is_over, n) {
+        (1.., ..) => ["keep floors apart in", &fallen.others()],
+        (0, true, 1) => ["keep floors apart in", "the only event"],
+        (0, true, n) => ["keep floors apart in", &format!("all {n} events")],
+        (0, false, 1) => ["are enough for", "the only event"],
+        (0, false, n) => ["are enough for", &format!("all {n} events")],
+    };
+    let spread = if widths.has_quantiles() {
+        format!(
+            "; {} mm for half of them, {} mm for 84 %",
             enough(widths.median()),
             enough(widths.p84())
-        ),
-        n => format!("{largest} mm are enough for all {n} events: the largest of so few"),
-    }];
+        )
+    } else if n > 1 {
+        ": the largest of so few".into()
+    } else {
+        String::new()
+    };
+    format!("{largest} mm {enough_for} {all_events}{spread}{}", fallen.whatever())
+}
+
+/// Whether the rules and the gap of the scene give the width that is needed.
+fn result(all: &RequiredGap, own: Option<f64>, columns: Option<String>, shown: &[Rule]) -> Vec<String> {
+    let widths = &all.required;
+    let mut lines = Vec::new();
     let width = all.beside_columns.map(enough);
     lines.extend(
         columns

@@ -58,6 +58,7 @@ mod site;
 mod sketch;
 mod spectra;
 mod summary;
+mod whatever_gap;
 
 use std::collections::BTreeMap;
 use std::sync::Arc;

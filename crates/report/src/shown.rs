@@ -1,6 +1,6 @@
 //! The numbers of a run for people: their tables and their words.
 
-use pounding_scene::{FloorQuantity, PairQuantity, Quantity, QuantityKind, Review, RunErrors, RunValues, Simulation};
+use pounding_scene::{Collapse, FloorQuantity, PairQuantity, Quantity, QuantityKind, Review, RunErrors, RunValues, Simulation};
 use pounding_text::{milliseconds, percent};
 
 /// The choice of each table for people, in the order of its columns or rows.
@@ -91,6 +91,7 @@ pub struct InWords<'a> {
     errors: Option<&'a RunErrors>,
     /// Acceleration of gravity \[m/s²\].
     gravity: f64,
+    collapse: Option<Collapse>,
 }
 
 impl<'a> InWords<'a> {
@@ -101,19 +102,35 @@ impl<'a> InWords<'a> {
             values: review.outcome.values(simulation),
             errors: review.measured(),
             gravity: simulation.scene().record.gravity_m_per_s2,
+            collapse: review.outcome.collapse,
         }
+    }
+
+    /// Whether a storey of a structure collapses.
+    pub fn falls(&self, structure: usize) -> bool {
+        self.collapse.is_some_and(|collapse| collapse.structure == structure)
+    }
+
+    /// A number in SI units. A storey that falls has no base shear over weight, ductility or damper force: they would be those of the instant
+    /// at which the run ends. Nothing is left at the end of a run that a collapse ends.
+    fn known(&self, quantity: Quantity, place: usize) -> Option<f64> {
+        use FloorQuantity as Floor;
+        let of_fall = [Floor::BaseShearRatio, Floor::Ductility, Floor::DamperForceRatio].map(Quantity::from);
+        let left = [Floor::ResidualDisplacementAtEndM, Floor::ResidualDriftAtEndM].map(Quantity::from);
+        let is_unknown = |collapse: Collapse| left.contains(&quantity) || (collapse.floor == place && of_fall.contains(&quantity));
+        self.values.of(quantity, place).filter(|_| !self.collapse.is_some_and(is_unknown))
     }
 
     /// A number in the unit that people read; `None` if the place has no such number.
     pub fn value(&self, quantity: impl Into<Quantity>, place: usize) -> Option<f64> {
         let quantity = quantity.into();
-        Some(quantity.about().unit.of(self.values.of(quantity, place)?, self.gravity))
+        Some(quantity.about().unit.of(self.known(quantity, place)?, self.gravity))
     }
 
     /// A number in words; `None` if the place has no such number.
     pub fn text(&self, quantity: impl Into<Quantity>, place: usize) -> Option<String> {
         let quantity = quantity.into();
-        let value = self.values.of(quantity, place);
+        let value = self.known(quantity, place);
         let value = value.map(|value| quantity.about().text_of(value, self.gravity));
         let is_impulsive = || quantity == PairQuantity::PeakForceN.into() && self.values.of(PairQuantity::Collisions, place) > Some(0.0);
         value.or_else(|| is_impulsive().then(|| "impulsive".into()))

@@ -41,6 +41,7 @@ mod outline;
 mod pair_spectrum;
 pub mod parallel;
 mod quantity;
+mod row_words;
 mod settings;
 mod simulation;
 mod spectrum;
@@ -60,15 +61,17 @@ pub use ground_motion::{GroundMotion, Origin, SharedMotion, hexadecimal, sha256}
 pub use judge::between_samples::BetweenSamples;
 pub use judge::certificate::{Certificate, CertificateRequest};
 pub use judge::certified::{CertificateFact, CertificateValue, DeliveredBy, DeliveredNumber};
+pub use judge::excess_kind::ExcessKind;
 pub use judge::free_collision::{DeliveredRestitution, FreeCollision};
 pub use judge::implausible::Implausible;
 pub use judge::limits::{ContactLimit, FreeLimit, MethodLimits};
-pub use judge::response::{Excess, ExcessKind, Often};
+pub use judge::response::{Excess, Often};
 pub use judge::review::{Errors, Review};
 pub use judge::warning::{Warning, WarningPlace};
 pub use pair_spectrum::{PairSpectrum, PairValues, pair_spectra};
 pub use pounding_text::Refused;
 pub use quantity::{FloorQuantity, LinkQuantity, PairQuantity, Quantity, QuantityEntry, QuantityKind, RunValues};
+pub use row_words::RowWords;
 pub use simulation::dampers::MassDamping;
 pub use simulation::floors::{ColumnBeside, Floor, FloorPair, Floors, StoreyProperties, UnwatchedFloor};
 pub use simulation::{

@@ -2,8 +2,8 @@
 
 use std::path::Path;
 
-use pounding_assess::{Rule, Separation};
-use pounding_scene::{ExcessKind, Scene, Simulation};
+use pounding_assess::{JudgedSeparations, Rule, Separation};
+use pounding_scene::{Excess, ExcessKind, Scene, Simulation};
 
 /// Floors at 3, 6.5 and 9.5 m beside floors at 3, 7, 11 and 15 m. Only the lowest floors may touch.
 const STAGGERED: &str = r#"
@@ -51,8 +51,8 @@ fn issue_rules_for_level_floors_ask_for_all_floors() {
 fn issue_columns_are_seen_without_a_contact() {
     let apart = &STAGGERED[..STAGGERED.find("[[contacts]]").expect("it is there")];
     let simulation = prepared(apart);
-    let (separations, excesses) = Separation::judged(&simulation).expect("it runs");
-    let beside = excesses.iter().find(|one| one.kind == ExcessKind::BesideColumn);
+    let JudgedSeparations { separations, excesses, .. } = JudgedSeparations::of(&simulation).expect("it runs");
+    let beside = Excess::worst(excesses).into_iter().find(|one| one.kind == ExcessKind::BesideColumn);
     let width = beside.expect("it is named").found;
     let one = separations[0];
     assert_eq!((one.beside_columns, one.at_column, one.required), (Some(width), true, width));

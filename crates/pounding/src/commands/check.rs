@@ -65,7 +65,7 @@ impl Expected {
     /// Floors that may touch in either direction and are not modelled, and dashpots that hold isolators.
     fn unmodelled(&self, prepared: &Simulation) -> Vec<String> {
         let runs = std::iter::once(&self.outcome).chain(&self.reversed);
-        let all = Excess::gathered(runs.map(|run| prepared.excesses(run)), "run").into_iter();
+        let all = Excess::gathered(runs.map(|run| prepared.all_excesses(run)), "run").into_iter();
         let all = all.filter(|one| one.kind.is_unwatched() || one.kind == ExcessKind::MassDamping);
         all.map(|one| one.to_string()).collect()
     }
@@ -147,7 +147,7 @@ fn answer(plan: &Plan<'_>) -> Answer<'static> {
         .say(Where::Terminal, "Unusual", unusual)
         .say(Where::Terminal, "Scene", vec![prepared.scene().name.clone()])
         .say_as(Where::Terminal, Manner::Facts, "Record", record_facts(prepared))
-        .say_as(Where::Terminal, Manner::Facts, "Method", method_facts(prepared))
+        .say_as(Where::Terminal, Manner::Facts, "Method", method_facts(prepared, None))
         .say(Where::Terminal, "Model", model_lines(plan))
         .table(Where::Terminal, structures(prepared).grid());
     if let Some(expected) = &plan.expected {

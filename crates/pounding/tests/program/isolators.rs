@@ -112,7 +112,7 @@ fn issue_what_no_frame_bears_and_what_is_assumed_of_frames_is_said() {
     for arguments in arguments {
         let said = flat(&pounding(&work, arguments));
         for words in [
-            "times the weight above, more than 0.4: few buildings are that strong",
+            "times the weight above, more than 0.4: few structures are that strong",
             "the limit of ductile construction, which is assumed; masonry and non-ductile frames fail at 0.4 to 1 %",
         ] {
             assert!(said.contains(words), "{words}: {said}");

@@ -17,6 +17,7 @@ mod examples;
 mod explain;
 mod exports;
 mod finite;
+mod first_screens;
 mod folders;
 mod helps;
 mod init;

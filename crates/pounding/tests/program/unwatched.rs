@@ -179,7 +179,7 @@ fn issue_folders_of_runs_count_events_and_say_what_is_beyond_the_model() {
     for arguments in &OF_FOLDERS[1..] {
         let said = flat(&pounding(&work, arguments));
         assert!(
-            said.starts_with("Warnings b: in ") && said.contains(" of 4 runs, at worst drift of "),
+            said.contains(" Warnings b: in ") && said.contains(" of 4 runs, at worst drift of "),
             "{arguments:?}: {said}"
         );
     }

@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use pounding_contact::LawName;
-use pounding_scene::{Errors, FloorQuantity, PairQuantity, QuantityGroup, Review, RunResult, Simulation};
+use pounding_scene::{Collapse, Errors, FloorQuantity, PairQuantity, QuantityGroup, Review, RunResult, Simulation};
 use pounding_text::{Grid, Shown, Table, Unit, digits, percent, short};
 
 use crate::shown::tables::WORST;
@@ -30,12 +30,18 @@ pub(super) fn scene(prepared: &Simulation, review: &Review) -> Vec<String> {
             short(peak.abs() / scene.record.gravity_m_per_s2)
         ),
         format!(
-            "{} s by {method}{steps}, {}: {}",
-            digits(prepared.duration()),
+            "{} by {method}{steps}, {}: {}",
+            lasts(prepared, review.outcome.collapse),
             scene.record.direction(),
             errors(&review.errors)
         ),
     ]
+}
+
+/// How long the run lasts, and where a collapse ends it.
+pub(super) fn lasts(prepared: &Simulation, collapse: Option<Collapse>) -> String {
+    let ended = collapse.map(|one| format!("ended at {:.2} s of ", one.time_s));
+    format!("{}{} s", ended.unwrap_or_default(), digits(prepared.duration()))
 }
 
 fn errors(errors: &Errors) -> String {
@@ -105,30 +111,50 @@ pub(super) fn apart(prepared: &Simulation, outcome: &RunResult) -> Vec<String> {
     }
 }
 
-/// How far floors with seats move on them.
-pub(super) fn seats(prepared: &Simulation, outcome: &RunResult) -> Vec<String> {
-    let contacts = prepared.scene().contacts.as_deref().unwrap_or_default();
-    let values = outcome.values(prepared);
-    let pairs = prepared.floors().facing().iter().enumerate();
-    let seats = pairs.filter_map(|(pair, facing)| {
-        let contact = contacts.get(facing.contact)?;
-        let width = contact.seat_width_m.filter(|_| facing.column.is_none())?;
-        let moved = values.of(PairQuantity::LargestOpeningM, pair)? - contact.gap_m;
-        Some(format!(
-            "{}: {} of {} mm",
-            prepared.floors().names(pair).join(" – "),
-            short(1e3 * moved),
-            digits(1e3 * width)
-        ))
-    });
-    let seats: Vec<String> = seats.collect();
-    if seats.is_empty() {
-        return seats;
+/// How far the sides of every gap of a bridge move apart. Hinges of bridges have seats or restrainers.
+pub(super) fn openings(prepared: &Simulation, words: &InWords<'_>) -> Grid {
+    let floors = prepared.floors();
+    let is_hinged = seats(prepared).next().is_some() || prepared.scene().links.iter().any(|one| one.law.has_sides());
+    let is_shown = |pair: &usize| is_hinged && floors.facing()[*pair].column.is_none();
+    let seat = |pair: usize| seats(prepared).find(|(of, _)| *of == pair);
+    let used = |pair: usize| {
+        let opening = words.value(PairQuantity::LargestOpeningM, pair)?;
+        Some(short((opening - 1e3 * prepared.pairs()[pair].gap()).max(0.0)))
+    };
+    let table = Table::of(floors.pairs_by_contact().into_iter().filter(is_shown))
+        .shown("Gaps that open", |pair| floors.names(*pair).join(" – "))
+        .shown_number("Gap", &Unit::GAP, |pair| prepared.pairs()[*pair].gap())
+        .shown_in("mm", "Largest opening", |pair| words.text(PairQuantity::LargestOpeningM, *pair))
+        .shown_in("s", "at", |pair| words.text(PairQuantity::LargestOpeningTimeS, *pair));
+    if seats(prepared).next().is_none() {
+        return table.grid();
     }
-    vec![format!("used at most: {}", seats.join("; "))]
+    table
+        .shown_in("mm", "Seat used", move |pair| {
+            let is_off = words.value(PairQuantity::UnseatedS, *pair).is_some();
+            Shown::from(seat(*pair).and_then(|_| used(*pair))).over(is_off.then(|| "unseated".into()))
+        })
+        .shown_in("mm", "Seat", move |pair| seat(*pair).map(|(_, width)| digits(1e3 * width)))
+        .grid()
 }
 
-/// The worst of every building, each with the number of its floor or storey. The drift of isolators is none of columns, and is left out beside that of storeys.
+/// The pairs with a seat, and its width \[m\].
+fn seats(prepared: &Simulation) -> impl Iterator<Item = (usize, f64)> {
+    let contacts = prepared.scene().contacts.as_deref().unwrap_or_default();
+    let pairs = prepared.floors().facing().iter().enumerate();
+    let pairs = pairs.filter(|(_, facing)| facing.column.is_none());
+    pairs.filter_map(|(pair, facing)| Some((pair, contacts.get(facing.contact)?.seat_width_m?)))
+}
+
+/// Defines the used part of a seat; empty if there is no seat.
+pub(super) fn says_seats(prepared: &Simulation) -> Vec<String> {
+    let is_seated = seats(prepared).next().is_some();
+    let said = "used is how far the right side moves away from the left one, the opening less the gap; beyond its seat (seat_width_m) it is unseated";
+    is_seated.then(|| said.to_owned()).into_iter().collect()
+}
+
+/// The worst of every building, each with the number of its floor or storey. How far isolators move comes
+/// first: it is no drift of columns.
 pub(super) fn buildings(prepared: &Simulation, words: &InWords<'_>) -> Grid {
     let floors = prepared.floors();
     let worst = |structure: usize, quantity: FloorQuantity| {
@@ -158,12 +184,32 @@ pub(super) fn buildings(prepared: &Simulation, words: &InWords<'_>) -> Grid {
         let is_drift = *quantity == FloorQuantity::PeakDriftM;
         (has_storeys || !is_drift) && moving.iter().any(|one| worst(*one, *quantity).is_some())
     });
-    let known: Vec<FloorQuantity> = known.collect();
+    let mut known: Vec<FloorQuantity> = known.collect();
+    let is_isolated = moving.iter().any(|one| floors.is_isolated(*one));
+    if is_isolated && known.contains(&FloorQuantity::DriftRatio) {
+        // The column of isolators takes the place of the drifts in millimetres.
+        known.retain(|one| *one != FloorQuantity::PeakDriftM);
+    }
     let heading = if has_storeys { "Largest (floor or storey)" } else { "Largest" };
+    let isolators = |structure: usize| {
+        let mut own = floors.of_structure(structure).iter().copied();
+        let floor = own.find(|floor| floors.all()[*floor].is_isolation_layer())?;
+        let text = words.text(words.of_storey(FloorQuantity::PeakDriftM, floor), floor)?;
+        Some(text.trim_start_matches('-').to_owned())
+    };
     let table = Table::of(moving).shown(heading, |one| scene.structures[*one].name().to_owned());
+    let table = if is_isolated {
+        table.shown_in("mm", "Isolators move", move |one| isolators(*one))
+    } else {
+        table
+    };
     let table = known.into_iter().fold(table, |table, quantity| {
         let about = quantity.about();
-        table.shown_in(about.unit.shown, about.heading, move |one| Shown::from(worst(*one, quantity)))
+        table.shown_in(about.unit.shown, about.heading, move |one| {
+            let found = worst(*one, quantity);
+            let falls = found.is_none() && words.falls(*one);
+            Shown::from(found).over(falls.then(|| "collapsed".into()))
+        })
     });
     table.grid()
 }

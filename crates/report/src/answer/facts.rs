@@ -1,9 +1,10 @@
 //! Facts about a run: the ground motion, the method, how far the numbers are from the exact run, work and energy.
 
-use pounding_scene::{Errors, Method, PairErrors, QuantityGroup, Review, RunValues, Simulation};
+use pounding_scene::{Collapse, Errors, Method, PairErrors, QuantityGroup, Review, RunValues, Simulation};
 use pounding_solver::Work;
 use pounding_text::{digits, percent, short};
 
+use super::brief;
 use crate::summary::{RecordSummary, Summary};
 
 /// Energies below this part of the scale are rounding.
@@ -49,11 +50,11 @@ pub(super) fn processed(record: &RecordSummary) -> String {
     all.join("; ")
 }
 
-/// The method, its settings, and how it was chosen.
-pub fn method_facts(prepared: &Simulation) -> Vec<String> {
+/// The method, its settings, and how it was chosen, for a run that lasts as long as the scene asks or ends by a collapse.
+pub fn method_facts(prepared: &Simulation, collapse: Option<Collapse>) -> Vec<String> {
     let method = prepared.scene().method;
     let name = method.name();
-    let mut facts = vec![format!("method: {}, {} s", name.replace('_', " "), digits(prepared.duration()))];
+    let mut facts = vec![format!("method: {}, {}", name.replace('_', " "), brief::lasts(prepared, collapse))];
     let settings = serde_json::to_value(method).unwrap_or_default();
     let settings = settings[name].as_object().into_iter().flatten();
     facts.extend(settings.map(|(name, value)| {

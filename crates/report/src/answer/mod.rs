@@ -35,6 +35,7 @@ impl Report<'_> {
         let answer = self
             .both_directions(answer)
             .say(Where::FirstScreen, "Scene", brief::scene(prepared, review))
+            .say(Where::FirstScreen, "Tables", self.says_tables())
             .say_as(Where::Page, manner, "", verdict::lines(&summary, review))
             .say_as(Where::Page, Manner::Box(not_modelled::TITLE), "", self.not_modelled())
             .table(Where::Page, brief::buildings(prepared, &words))
@@ -42,7 +43,9 @@ impl Report<'_> {
             .say_as(Where::Terminal, Manner::Soft, "Force", brief::forces(prepared, &review.outcome))
             .say_as(Where::Page, Manner::Soft, "", self.says_forces())
             .say(Where::FirstScreen, "Apart", brief::apart(prepared, &review.outcome))
-            .say(Where::FirstScreen, "Seats", brief::seats(prepared, &review.outcome))
+            .table(Where::FirstScreen, brief::openings(prepared, &words))
+            .table(Where::Page, brief::openings(prepared, &words))
+            .say_as(Where::Terminal, Manner::Soft, "Seats", brief::says_seats(prepared))
             .say(Where::Page, "", self.says_seats())
             .table(Where::FirstScreen, brief::buildings(prepared, &words))
             .table(Where::FirstScreen, tables::links(prepared, &words))
@@ -70,7 +73,12 @@ impl Report<'_> {
             .table(Where::Details, tables::structures(prepared, &words))
             .table(Where::Details, tables::motions(prepared, &words))
             .table(Where::Details, tables::storeys(prepared, &words))
-            .say_as(Where::Details, Manner::Soft, "Notes", vec![tables::notes(prepared)])
+            .say_as(
+                Where::Details,
+                Manner::Soft,
+                "Notes",
+                vec![tables::notes(prepared, &review.outcome)],
+            )
             .figure("hysteresis");
         self.made_of(answer, &summary)
             .say(Where::FirstScreen, "More", vec![MORE.into()])
@@ -107,10 +115,9 @@ impl Report<'_> {
             .heading_of("Links", tables::links(prepared, words))
     }
 
-    /// How far floors with seats move on them, in sentences of a page.
+    /// What the used part of a seat is, in sentences of a page.
     fn says_seats(&self) -> Vec<String> {
-        let used = brief::seats(self.prepared, &self.review().outcome);
-        used.iter().map(|used| sentence(&format!("seats {used}"))).collect()
+        brief::says_seats(self.prepared).iter().map(|said| sentence(said)).collect()
     }
 
     /// Adds the facts of the run: its scene, ground motion, method, errors, histories, work and energy.
@@ -127,7 +134,12 @@ impl Report<'_> {
             .say_as(Where::Details, Manner::Facts, "Record", record_facts(prepared))
             .figure("ground-motion")
             .heading("Method")
-            .say_as(Where::Details, Manner::Facts, "Method", method_facts(prepared))
+            .say_as(
+                Where::Details,
+                Manner::Facts,
+                "Method",
+                method_facts(prepared, review.outcome.collapse),
+            )
             .say_as(Where::Details, Manner::Facts, "Errors", facts::errors(prepared, review))
             .say_as(
                 Where::Page,
@@ -157,6 +169,18 @@ impl Report<'_> {
                 "",
                 vec!["The results below are for the direction of shaking that the scene gives.".into()],
             )
+    }
+
+    /// Whose numbers the tables below an answer about both directions have.
+    fn says_tables(&self) -> Vec<String> {
+        let direction = self.directions.as_ref().map(|_| self.prepared.scene().record.direction());
+        let effects = if self.effects.is_some() {
+            "; effects of both directions"
+        } else {
+            ""
+        };
+        let said = direction.map(|direction| format!("shaken {direction}{effects}"));
+        said.into_iter().collect()
     }
 
     /// Adds the warnings, or says that there are none. If a warning concerns errors, it also names the command that helps.

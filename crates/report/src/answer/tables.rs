@@ -108,12 +108,17 @@ pub(super) fn links(prepared: &Simulation, words: &InWords<'_>) -> Grid {
 }
 
 /// Notes on the tables of structures.
-pub(super) fn notes(prepared: &Simulation) -> String {
+pub(super) fn notes(prepared: &Simulation, outcome: &RunResult) -> String {
+    let residual = match outcome.collapse {
+        Some(collapse) => format!("The run ends by a collapse at {:.2} s: there is no residual.", collapse.time_s),
+        None => format!(
+            "Residual is the displacement at the end of the run, at {} s; free vibration that has not died away by then is still in it.",
+            digits(prepared.duration())
+        ),
+    };
     format!(
-        "Accelerations are absolute, that of the ground included, impulsive impacts left out. Residual is the displacement at the end of the \
-         run, at {} s; free vibration that has not died away by then is still in it. Shear is that of the columns; the force of the dampers \
-         is not in it.",
-        digits(prepared.duration())
+        "Accelerations are absolute, that of the ground included, impulsive impacts left out. {residual} Shear is that of the columns; the \
+         force of the dampers is not in it."
     )
 }
 
@@ -121,7 +126,7 @@ pub(super) fn notes(prepared: &Simulation) -> String {
 pub(super) fn leaning(prepared: &Simulation, outcome: &RunResult) -> Vec<String> {
     let floors = prepared.floors();
     let said = |pair: usize| {
-        let one = outcome.of_pair(pair).leaning()?;
+        let one = outcome.leaning(prepared, pair)?;
         let names = floors.names(pair).join(" – ");
         Some(format!(
             "{names} for {} s from {} s on",
@@ -134,7 +139,7 @@ pub(super) fn leaning(prepared: &Simulation, outcome: &RunResult) -> Vec<String>
         return Vec::new();
     }
     vec![format!(
-        "touches of more than 0.25 s are pushes, and their impulses no measure of a blow: {}",
+        "touches of more than 0.25 s, longer than a blow of their contact, are pushes, and their impulses no measure of a blow: {}",
         said.join("; ")
     )]
 }

@@ -78,7 +78,7 @@ impl AssessmentReport {
             _ => "the events that count",
         };
         let forces = format!(
-            "Largest forces and impulses of {runs}; pushes of more than 0.25 s are no blows and have no impulse here. The range is that of \
+            "Largest forces and impulses of {runs}; pushes, which last longer than 0.25 s and than blows of the contact, have no impulse here. The range is that of \
              the contact, {from} to {to} times as stiff as in the scene. Nobody knows the stiffness better, and it decides forces and accelerations."
         );
         let worse = first(&self.storeys(worse));

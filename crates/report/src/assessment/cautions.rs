@@ -2,12 +2,16 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use pounding_assess::{AssessedRun, Assessment, Case, DesignSpectrum, Distribution, RunOfCase, Scaling, TargetFit, beyond_belief};
-use pounding_scene::{Excess, Implausible, Often};
+use pounding_assess::{AssessedRun, Case, DesignSpectrum, Distribution, RunOfCase, Scaling, TargetFit, beyond_belief};
+use pounding_scene::{Excess, ExcessKind, Implausible};
 use pounding_text::{digits, short, two_decimals, two_digits};
 
 use super::{AssessedMotion, AssessmentReport, runs_of_cases};
 use crate::folder::CONVERT;
+use crate::whatever_gap::{Fallen, over_capacity, says_beyond, says_over_capacity};
+
+/// Where buildings meet.
+pub(super) const BESIDE: &str = "beside its neighbours";
 
 /// Least number of records whose mean a code takes: ASCE 7-16, 16.2.2.
 const ENOUGH: usize = 11;
@@ -34,47 +38,30 @@ impl AssessmentReport {
     /// Sentences before the answer, whether or not the gap is enough: buildings that no gap helps, how records were raised, what is not
     /// believed and does not count, and on what the answer rests and should not.
     pub fn before(&self) -> Vec<String> {
-        let first = self.says_over_capacity().into_iter().chain(self.raised());
+        let first = says_over_capacity(&self.over_capacity(), self.scene.words())
+            .into_iter()
+            .chain(self.raised());
         first.chain(self.disbelieved()).chain(self.cautions()).collect()
     }
 
-    /// Every building that exceeds a capacity of the scene even alone, by the drift or force that is farthest above it, with the number of
-    /// events.
+    /// Every building that exceeds a capacity of the scene even alone.
     pub(super) fn over_capacity(&self) -> Vec<Excess> {
         let runs = runs_of_cases(&self.motions);
-        let of_building = |structure: usize| {
-            let own = runs
-                .iter()
-                .flat_map(|one| one.run.over_capacity_alone.iter().map(|excess| (one.case(), excess)));
-            let own: Vec<_> = own.filter(|(_, one)| self.floors.all()[one.floor].structure == structure).collect();
-            let (_, worst) = own.iter().max_by(|one, other| one.1.share().total_cmp(&other.1.share()))?;
-            let cases: BTreeSet<Case> = own.iter().map(|(case, _)| *case).collect();
-            let often = Often {
-                n: cases.len(),
-                of: self.assessment.cases,
-                sample: self.sample(),
-            };
-            Some(Excess {
-                often: Some(often),
-                ..(*worst).clone()
-            })
-        };
-        (0..self.scene.structures.len()).filter_map(of_building).collect()
+        let all = runs
+            .iter()
+            .flat_map(|one| one.run.over_capacity_alone.iter().map(|excess| (one.case(), excess)));
+        over_capacity(&self.floors, &all.collect::<Vec<_>>(), self.assessment.cases, self.sample())
     }
 
-    /// What no gap helps against, in a sentence.
-    fn says_over_capacity(&self) -> Option<String> {
-        let over = self.over_capacity();
-        let exceed = match over.len() {
-            0 => return None,
-            1 => "the building exceeds its capacity",
-            _ => "buildings exceed their capacity",
-        };
-        let over: Vec<String> = over.iter().map(Excess::brief).collect();
-        Some(format!(
-            "Whatever the gap, {exceed} even alone ({}). The widths below keep floors apart, and do no more.",
-            over.join("; ")
-        ))
+    /// The cases that are not believed while the buildings stand alone.
+    pub(super) fn fallen(&self) -> Fallen {
+        Fallen {
+            of: self.assessment.cases,
+            doubted: self.assessment.disbelieved_alone,
+            collapsed: self.assessment.collapsed_alone,
+            sample: self.sample(),
+            words: self.scene.words(),
+        }
     }
 
     /// How much stronger all records are than their own factors make them.
@@ -92,48 +79,49 @@ impl AssessmentReport {
 
     /// Events whose runs are beyond belief, and do not count.
     fn disbelieved(&self) -> Vec<String> {
-        let Assessment {
-            cases,
-            disbelieved,
-            disbelieved_alone,
-            ..
-        } = self.assessment;
-        let beside = disbelieved - disbelieved_alone;
-        let one = |n: usize, when: &str, of: fn(&AssessedRun) -> Option<&Excess>, what: &str| {
-            let found = self.motions.iter().filter_map(|motion| Some((motion, of(&motion.run)?)));
-            let all: Vec<_> = found.collect();
-            let worst = beyond_belief(all.iter().map(|(_, excess)| *excess))?;
-            let (motion, _) = all.iter().find(|(_, excess)| std::ptr::eq(*excess, worst))?;
-            let counts = if n == cases {
-                "nothing below is to be believed".into()
-            } else {
-                format!("{what} do not count below")
-            };
-            Some(format!(
-                "In {} a building would hardly stand {when} ({}: {}, under {}): {counts}.",
-                self.of_cases(n),
-                worst.name,
-                worst.kind.brief(worst.found),
-                motion.name
-            ))
+        let runs = runs_of_cases(&self.motions);
+        let found = |of: fn(&AssessedRun) -> Option<&Excess>| {
+            let found = self.motions.iter().zip(&runs);
+            let found = found.filter_map(move |(motion, one)| Some((one.case(), motion, of(&motion.run)?)));
+            found.collect::<Vec<_>>()
         };
-        let alone = (disbelieved_alone > 0).then(|| {
-            one(
-                disbelieved_alone,
-                "even alone, whatever the gap",
-                |run| run.disbelieved_alone.as_ref(),
-                "these",
-            )
-        });
-        let beside = (beside > 0).then(|| {
-            one(
-                beside,
-                "beside its neighbours",
-                |run| run.disbelieved_beside.as_ref(),
-                "forces and effects of these",
-            )
-        });
-        [alone, beside].into_iter().flatten().flatten().collect()
+        let alone = found(|run| run.disbelieved_alone.as_ref());
+        let not_alone: BTreeSet<Case> = alone.iter().map(|(case, ..)| *case).collect();
+        let mut beside = found(|run| run.disbelieved_beside.as_ref());
+        beside.retain(|(case, ..)| !not_alone.contains(case));
+        let said = [
+            self.says_disbelieved(&alone, &format!("even {}, whatever the gap", self.scene.words().alone), "these"),
+            self.says_disbelieved(&beside, BESIDE, "forces and effects of these"),
+        ];
+        said.into_iter().flatten().collect()
+    }
+
+    /// Cases that are not believed, in a sentence that names the worst; `None` if there are none.
+    fn says_disbelieved(&self, all: &[(Case, &AssessedMotion, &Excess)], when: &str, what: &str) -> Option<String> {
+        let worst = beyond_belief(all.iter().map(|(.., excess)| *excess))?;
+        let (_, motion, _) = all.iter().find(|(.., excess)| std::ptr::eq(*excess, worst))?;
+        let cases: BTreeSet<Case> = all.iter().map(|(case, ..)| *case).collect();
+        let collapsed = all.iter().filter(|(.., excess)| excess.kind == ExcessKind::Collapse);
+        let collapsed: BTreeSet<Case> = collapsed.map(|(case, ..)| *case).collect();
+        let fallen = Fallen {
+            doubted: cases.len(),
+            collapsed: collapsed.len(),
+            ..self.fallen()
+        };
+        let counts = if fallen.doubted == fallen.of {
+            "nothing below is to be believed".into()
+        } else if self.assessment.disbelieved == fallen.of && when == BESIDE {
+            "no effect of touching below is to be believed".into()
+        } else {
+            format!("{what} do not count below")
+        };
+        Some(format!(
+            "In {} {} {when} ({}, under {}): {counts}.",
+            self.of_cases(fallen.doubted),
+            fallen.says(),
+            says_beyond(worst),
+            motion.name
+        ))
     }
 
     /// On what the answer rests and should not.
@@ -226,7 +214,7 @@ impl AssessmentReport {
             let n = one.unseated.filter(|n| *n > 0)?;
             let names = self.floors.names(pair).join(" – ");
             Some(format!(
-                "{names}: unseated in {}: the right floor moves farther away than its seat is wide, and may fall (seat_width_m)",
+                "{names}: unseated in {}: the right side moves farther away from the left one than its seat is wide, and may fall (seat_width_m)",
                 self.of_cases(n)
             ))
         });

@@ -1,7 +1,7 @@
 //! The sentences of an assessment about touching: drifts against their limit, forces, and what gets worse or better.
 
 use pounding_assess::{Distribution, FloorAssessment};
-use pounding_scene::Excess;
+use pounding_scene::ExcessKind;
 use pounding_text::{percent, two_decimals, two_digits};
 
 use super::AssessmentReport;
@@ -19,7 +19,9 @@ struct Changed<'f> {
 impl AssessmentReport {
     /// The effects of touching, in a sentence each: the largest drift against its limit, the largest force, what gets worse, what gets better.
     pub fn consequences(&self) -> Vec<String> {
-        if self.hit().is_empty() {
+        // The answer says before that no effect is to be believed.
+        let is_believed = self.assessment.disbelieved < self.assessment.cases;
+        if self.hit().is_empty() || !is_believed {
             return Vec::new();
         }
         let said = [
@@ -40,7 +42,7 @@ impl AssessmentReport {
     /// A drift over the storey height and its limit \[–\]; `None` if the height is not known.
     fn of_limit(&self, floor: usize, drift: f64) -> Option<[f64; 2]> {
         let made_of = self.floors.all()[floor].made_of?;
-        let limit = made_of.capacities.drift_capacity_ratio.unwrap_or(Excess::MOST_DRIFT);
+        let limit = made_of.capacities.drift_capacity_ratio.unwrap_or(ExcessKind::MOST_DRIFT);
         Some([drift / made_of.height_m?, limit])
     }
 
@@ -78,7 +80,7 @@ impl AssessmentReport {
         let Some([drift, limit]) = self.of_limit(floor, Self::at_most(one)) else {
             let [drift, alone] = [Self::at_most(one), one.largest_drift_alone].map(|drift| two_digits(1e3 * drift));
             return Some(format!(
-                "Largest drift when they touch: {drift} mm ({name}), alone {alone} mm; without the height of the storey there is no limit for it."
+                "Largest drift when they touch: {drift} mm ({name}), alone {alone} mm; without its height there is no limit for it."
             ));
         };
         let of_height = |drift: f64| self.of_limit(floor, drift).map(|[drift, _]| percent(drift));
@@ -98,8 +100,14 @@ impl AssessmentReport {
         } else {
             "of NBCC 2015 for buildings of normal importance"
         };
+        let n = self.assessment.cases - self.assessment.disbelieved;
+        let others = match self.assessment.disbelieved {
+            0 => String::new(),
+            1 => format!(" That is of {}; the other is past the model.", self.of_cases(n)),
+            past => format!(" That is of {}; the other {past} are past the model.", self.of_cases(n)),
+        };
         Some(format!(
-            "Largest drift when they touch: {most} of the storey height ({name}{range}), {within} the {} {whose}; alone {alone}.",
+            "Largest drift when they touch: {most} of the height ({name}{range}), {within} the {} {whose}; alone {alone}.{others}",
             percent(limit),
         ))
     }
@@ -157,10 +165,7 @@ impl AssessmentReport {
         let Some(Changed { count, floor, ratio }) = self.changed(harmful, grows, true) else {
             return Some(format!(
                 "{} below {limit}.",
-                counted(
-                    all.count,
-                    ["storey drifts over 10 % more, but stays", "storeys drift over 10 % more, but stay"]
-                )
+                self.storeys_that(all.count, ["drifts over 10 % more, but stays", "drift over 10 % more, but stay"])
             ));
         };
         let harmless = match all.count - count {
@@ -170,7 +175,7 @@ impl AssessmentReport {
         };
         Some(format!(
             "{} by more than 10 %, {}: {}.{harmless}",
-            counted(count, ["storey drifts more", "storeys drift more"]),
+            self.storeys_that(count, ["drifts more", "drift more"]),
             named(count, &self.storey_name(floor)),
             self.times(ratio)
         ))
@@ -198,10 +203,16 @@ impl AssessmentReport {
         let Changed { count, floor, ratio } = self.changed(|_, one| Some(&one.drift), |ratio| ratio < 0.9, false)?;
         Some(format!(
             "{} by more than 10 %, {}: {} times as far as alone.",
-            counted(count, ["storey drifts less", "storeys drift less"]),
+            self.storeys_that(count, ["drifts less", "drift less"]),
             named(count, &self.storey_name(floor)),
             two_decimals(ratio.upper())
         ))
+    }
+
+    /// "3 storeys drift more".
+    fn storeys_that(&self, count: usize, [does, do_so]: [&str; 2]) -> String {
+        let storey = self.scene.words().storey;
+        counted(count, [&format!("{storey} {does}"), &format!("{storey}s {do_so}")])
     }
 
     /// "up to 3.00 times as far as alone (the largest of 4 events)".
@@ -226,7 +237,7 @@ fn named(count: usize, name: &str) -> String {
     format!("{most}{name}")
 }
 
-/// "3 storeys drift more".
+/// "One floor shakes harder", "3 floors shake harder".
 fn counted(count: usize, [one, several]: [&str; 2]) -> String {
     match count {
         1 => format!("One {one}"),

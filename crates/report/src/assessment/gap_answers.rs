@@ -3,6 +3,7 @@
 use pounding_assess::{Distribution, GapAssessment, TargetFit};
 use pounding_text::{millimetres, millimetres_up, percent, two_decimals, two_digits};
 
+use super::cautions::BESIDE;
 use super::{AssessedMotion, AssessmentReport};
 use crate::folder::factor;
 use crate::rules::{RuledGap, asked};
@@ -27,7 +28,7 @@ impl AssessmentReport {
                 100.0 * TargetFit::LEAST_SHARE
             ));
         }
-        (self.assessment.believed_alone() == 0).then(|| format!("a building would hardly stand even alone under every {}", self.sample()))
+        (self.assessment.believed_alone() == 0).then(|| self.says_fallen(&format!("under every {}", self.sample())))
     }
 
     /// The width that is proposed for a gap: the largest that is needed, or that of the named code if it asks for more. `None` if these records
@@ -153,23 +154,34 @@ impl AssessmentReport {
                 |levels| format!("because {levels} were not looked at"),
             );
             return format!(
-                "{width} mm is not enough between {left} and {right}: alone they need {} mm. In these runs they do not touch, {why}.",
+                "{width} mm is not enough between {left} and {right}: they need {} mm while nothing touches. In these runs they do not touch, {why}.",
                 millimetres_up(needed)
             );
         }
-        // Buildings that stand alone need less; one that is pushed by its other neighbour may need more.
         if own >= needed {
-            return format!(
-                "{width} mm is as wide as {left} and {right} need alone, but they touch in {}, pushed by another neighbour: the other gaps \
-                 decide.",
-                self.touch_in(gap)
-            );
+            return self.wide_but_touching(own, gap);
         }
         format!(
             "{width} mm is not enough between {left} and {right}: they touch in {}. {}",
             self.touch_in(gap),
             self.would_do(gap, "would be enough")
         )
+    }
+
+    /// Neighbours that touch although their gap is as wide as they need: in events that do not count, or pushed by another neighbour.
+    fn wide_but_touching(&self, own: f64, gap: &GapAssessment) -> String {
+        let [left, right] = self.gap_names(gap);
+        let (width, touch) = (millimetres(own), self.touch_in(gap));
+        match self.says_not_counted() {
+            Some(why) => format!(
+                "{width} mm is not shown to be enough between {left} and {right}: it is as wide as the events that count need, but they touch \
+                 in {touch}, and {why}."
+            ),
+            None => format!(
+                "{width} mm is as wide as {left} and {right} need while nothing touches, but they touch in {touch}, pushed by another \
+                 neighbour: the other gaps decide."
+            ),
+        }
     }
 
     /// The width that is enough, in a sentence: "130 mm would be enough for all 11 events."
@@ -189,22 +201,30 @@ impl AssessmentReport {
         }
         let [most, all] = [gap.built(gap.required.upper()), gap.proposal()].map(millimetres);
         let samples = self.sample();
+        let is_one = !gap.required.has_quantiles() || most == all || gap.own.is_some_and(|own| gap.built(gap.required.upper()) <= own);
+        let others = if self.assessment.gaps.len() > 1 {
+            ", if every other gap of the row stays open, too"
+        } else {
+            ""
+        };
+        let fallen = self.fallen();
+        if fallen.collapsed > 0 {
+            let keeps = if is_one {
+                format!("{all} mm keeps floors apart in {}", fallen.others())
+            } else {
+                format!("{most} mm keeps floors apart in 84 % of {}, {all} mm in all", fallen.others())
+            };
+            return format!("{keeps}{others}{}.{}", fallen.whatever(), self.decides(gap));
+        }
         let said = match gap.required.sorted().len() {
             1 => format!("{all} mm {enough} for the only {samples}"),
-            n if !gap.required.has_quantiles() || most == all || gap.own.is_some_and(|own| gap.built(gap.required.upper()) <= own) => {
-                format!("{all} mm {enough} for all {n} {samples}s")
-            }
+            n if is_one => format!("{all} mm {enough} for all {n} {samples}s"),
             n => format!("{most} mm {enough} for 84 % of the {n} {samples}s, {all} mm for all"),
         };
         let counted = match (self.assessment.disbelieved_alone, gap.required.sorted().len()) {
             (0, _) => "",
             (_, 1) => " that counts",
             _ => " that count",
-        };
-        let others = if self.assessment.gaps.len() > 1 {
-            ", if every other gap of the row stays open, too"
-        } else {
-            ""
         };
         format!("{said}{counted}{others}.{}", self.decides(gap))
     }
@@ -220,14 +240,28 @@ impl AssessmentReport {
         let motion = believed.chain(&self.motions).find(asks);
         let motion = motion.filter(|_| self.assessment.events > 1 && widest > ALIKE);
         motion.map_or_else(String::new, |one| {
-            format!(" Largest under {}{}.", one.shown(), factor(one.run.scale))
+            let past = one.run.disbelieved_beside.as_ref().filter(|_| one.run.disbelieved_alone.is_none());
+            let past = past.map_or_else(String::new, |past| {
+                format!(
+                    ", where with the gap of the scene {} is past the model {BESIDE} ({})",
+                    past.name,
+                    past.kind.brief(past.found)
+                )
+            });
+            format!(" Largest under {}{}{past}.", one.shown(), factor(one.run.scale))
         })
     }
 
     /// Why a gap that stays open under some events is not enough under all; `None` if all events count.
     fn says_not_counted(&self) -> Option<String> {
         let n = self.assessment.disbelieved_alone;
-        (n > 0).then(|| format!("a building would hardly stand even alone in {}", self.of_cases(n)))
+        (n > 0).then(|| self.says_fallen(&format!("in {}", self.of_cases(n))))
+    }
+
+    /// "a building would hardly stand even alone in 2 of 9 events".
+    fn says_fallen(&self, when: &str) -> String {
+        let fallen = self.fallen();
+        format!("{} even {} {when}", fallen.says(), fallen.words.alone)
     }
 
     /// The proposed width of every gap that is not enough, and the chance that remains; what bumpers do, if they were asked for.
@@ -298,7 +332,7 @@ impl AssessmentReport {
         } else {
             ""
         };
-        let only = if self.over_capacity().is_empty() {
+        let only = if self.over_capacity().is_empty() && self.assessment.collapsed_alone == 0 {
             ""
         } else {
             " to keep floors apart, for no more"

@@ -70,9 +70,13 @@ const AT_REST: f64 = 0.02;
 /// An axis that would be shortened by less than a fifth goes to the end of the run.
 const WORTH: f64 = 0.8;
 
-/// The instant after which pictures have nothing to show: everything moves by less than 2 % of its largest motion \[s\].
+/// The instant after which pictures have nothing to show: a storey collapses, or everything moves by less than 2 % of its largest motion
+/// \[s\].
 fn end_of_motion(motion: Motion<'_>, outcome: &RunResult) -> f64 {
     let prepared = motion.prepared;
+    if let Some(collapse) = outcome.collapse {
+        return collapse.time_s;
+    }
     let ends = |values: &mut dyn Iterator<Item = f64>, interval: f64| {
         let values: Vec<f64> = values.collect();
         let last = values.last().copied().unwrap_or(0.0);
@@ -99,7 +103,9 @@ impl<'a> Seen<'a> {
     /// A sentence about what the axes of time leave out; empty if they go to the end of the run.
     fn says_end(&self) -> String {
         let duration = self.prepared.duration();
-        if self.ends_with_touches {
+        if let Some(collapse) = self.outcome.collapse {
+            format!(" The run ends by a collapse, at {:.2} s.", collapse.time_s)
+        } else if self.ends_with_touches {
             format!(" The axis ends soon after the last touch, the run at {} s.", digits(duration))
         } else if self.until < duration {
             format!(

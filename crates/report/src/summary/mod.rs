@@ -173,8 +173,8 @@ pub struct PairSummary {
     pub first: Option<CollisionSummary>,
     /// The one with the largest impulse.
     pub largest: Option<CollisionSummary>,
-    /// The collision that lasts longest, where it lasts more than 0.25 s: the neighbours lean on each other, and its impulse is
-    /// that of a push.
+    /// The collision that lasts longest, where it lasts longer than a blow ([`Simulation::longest_blow`](pounding_scene::Simulation::longest_blow)):
+    /// the neighbours lean on each other, and its impulse is that of a push.
     pub leaning: Option<CollisionSummary>,
     /// Distances of these numbers from the exact run, if they were measured.
     pub errors: Option<PairErrorSummary>,

@@ -114,7 +114,7 @@ impl PairSummary {
                 numbers: Numbers::of(&values, (all(), place)),
                 first: found.first.as_ref().map(collision),
                 largest: found.largest.as_ref().map(collision),
-                leaning: found.leaning().as_ref().map(collision),
+                leaning: review.outcome.leaning(prepared, place).as_ref().map(collision),
                 errors: review.measured().map(|errors| PairErrorSummary {
                     exact_collisions: errors.pairs()[place].collisions[1],
                     rests: errors.pairs()[place].rests,

@@ -1,11 +1,9 @@
 //! Responses of a run beyond the range of its model, or beyond the limits of codes.
 
-use pounding_text::{percent, short, two_digits};
+use pounding_text::{digits, percent, short};
 
+use super::excess_kind::ExcessKind;
 use crate::{RunResult, Simulation, Structure};
-
-/// Drift of a storey of unknown height \[m\] that is more than 2.5 % of any usual height, at most 12 m.
-const MOST_UNKNOWN: f64 = 0.3;
 
 /// A response beyond the range of the model, or beyond the limits of codes.
 #[derive(Debug, Clone, PartialEq)]
@@ -35,102 +33,17 @@ pub struct Often {
     pub sample: &'static str,
 }
 
-/// Kinds of responses that are judged.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-pub enum ExcessKind {
-    /// Upper bound of how far a floor and the neighbour's column beside it move together, beyond the gap \[m\].
-    AtColumn,
-    /// Upper bound of how far a floor and the neighbour's column beside it move together, if no contact gives the gap \[m\].
-    BesideColumn,
-    /// How far a base slab at the ground moves beyond the gap, whose other side is the foot of the neighbour \[m\].
-    AtFoot,
-    /// Upper bound of how far two floors of a level that a contact leaves out move together, beyond the gap \[m\].
-    LeftOut,
-    /// Shear force of a column that a slab hits \[N\]; 0 for impacts, which have no force.
-    ColumnHit,
-    /// Ratio of the drift to the height of a storey that collapses under gravity \[–\].
-    Collapse,
-    /// Drift of a storey of unknown height \[m\].
-    Displacement,
-    /// Stability coefficient P Δ/(V h) of a storey \[–\].
-    Stability,
-    /// Ratio of the drift to the height of the storey \[–\].
-    Drift,
-    /// Ratio of the drift to the drift at yielding \[–\].
-    Ductility,
-    /// Shear force of a storey with a capacity \[N\].
-    Shear,
-    /// Damping ratio of the mass term of a building on isolators \[–\].
-    MassDamping,
-    /// Ratio of the drift at the end to the height of the storey \[–\].
-    ResidualDrift,
-    /// Shear force of the lowest storey over the weight that it carries \[–\].
-    BaseShear,
-    /// Ratio of the damper's force to the yield force \[–\].
-    DamperForce,
-}
-
 impl Excess {
-    /// Largest drift ratio that codes allow for ordinary buildings of ductile construction \[–\]: NBCC 2015, 4.1.8.13 (3).
-    pub const MOST_DRIFT: f64 = 0.025;
-
-    /// Largest ductility demand for which bilinear columns are meaningful \[–\]. A convention: ductile frames are designed for about 6 (NZS
-    /// 1170.5).
-    pub const MOST_DUCTILITY: f64 = 6.0;
-
-    /// Drift ratio at the end of a run above which a building is likely to be realigned \[–\]: J. McCormick, H. Aburano, M. Ikenaga and M.
-    /// Nakashima, 14th World Conf. Earthquake Engng (2008). FEMA P-58 has the median of what can be repaired at 1 %.
-    pub const MOST_RESIDUAL: f64 = 0.005;
-
-    /// Stability coefficients \[–\]: gravity matters above the first one, and a design above the second one is not allowed. EN
-    /// 1998-1:2004, 4.4.2.2 (2), and ASCE 7-16, 12.8.7.
-    pub const MOST_STABILITY: [f64; 2] = [0.1, 0.25];
-
-    /// Largest base shear over weight \[–\] of which a frame is usually capable. A convention: special frames of ASCE 7-16, Table 12.2-1, at
-    /// `S_DS` = 1 have 1/8 by design, and 3/8 with their overstrength.
-    pub const MOST_BASE_SHEAR: f64 = 0.4;
-
-    /// Largest force of a damper over the yield force \[–\]. A convention, for the reasons of J. F. Hall, *Earthq. Eng. Struct. Dyn.* 35 (2006)
-    /// 525, and F. A. Charney, *J. Struct. Eng.* 134 (2008) 581.
-    pub const MOST_DAMPER: f64 = 0.1;
-
-    /// Largest damping ratio of the mass term of a building on isolators \[–\]. A convention: isolators have 10 to 30 % of their own.
-    pub const MOST_MASS_DAMPING: f64 = 0.01;
-
-    /// Gathers responses over several samples, such as runs, the most harmful kind first: the worst of every kind, and the number of samples
-    /// with it. `sample` is the word for a sample.
-    pub fn gathered(samples: impl IntoIterator<Item: AsRef<[Self]>>, sample: &'static str) -> Vec<Self> {
-        let mut all = Vec::new();
-        let mut of = 0;
-        for one in samples {
-            all.extend(Self::worst(one.as_ref().to_vec()));
-            of += 1;
-        }
-        let mut worst = Self::worst(all.clone());
-        for one in &mut worst {
-            let n = all.iter().filter(|other| other.kind == one.kind).count();
-            one.often = Some(Often { n, of, sample });
-        }
-        worst
-    }
-
-    /// Returns the worst response of every kind, the most harmful kind first; of equal ones the first.
-    pub fn worst(mut all: Vec<Self>) -> Vec<Self> {
-        all.sort_by(|one, other| {
-            let by_kind = one.kind.cmp(&other.kind);
-            by_kind.then(other.share().total_cmp(&one.share()))
-        });
-        all.dedup_by_key(|one| one.kind);
-        all
-    }
-
     /// Limit that it exceeds, in the unit of its kind.
     fn limit(&self) -> f64 {
         self.capacity.unwrap_or(self.kind.most())
     }
 
-    /// The response over its limit, or itself if the limit is 0. The larger of two of a kind is the worse.
+    /// The response over its limit, or itself if the limit is 0. The larger of two of a kind is the worse. Nothing is worse than a collapse.
     pub fn share(&self) -> f64 {
+        if self.kind == ExcessKind::Collapse {
+            return f64::MAX;
+        }
         let limit = self.limit();
         if limit > 0.0 { self.found / limit } else { self.found }
     }
@@ -151,8 +64,17 @@ impl Excess {
             (_, Some(capacity)) => format!(", above its capacity of {}", percent(capacity)),
             (bound, None) => bound.into(),
         };
-        let brief = self.kind.brief(self.found);
         let often = self.often();
+        if self.kind == ExcessKind::BaseShear && !often.is_empty() {
+            // The number of samples is that above the limit, far below the worst of them.
+            return format!(
+                "{}: shear force of up to {:.1} times the weight above; above {} times {often}",
+                self.name,
+                self.found,
+                digits(self.limit())
+            );
+        }
+        let brief = self.kind.brief(self.found);
         let comma = if often.is_empty() { "" } else { ", " };
         format!("{}{colon} {brief}{limit}{comma}{often}", self.name)
     }
@@ -173,9 +95,19 @@ impl Simulation {
     /// Returns the responses of a run beyond its model or beyond the limits of codes, each at the worst floor of its kind, the most harmful
     /// kind first.
     pub fn excesses(&self, result: &RunResult) -> Vec<Excess> {
+        Excess::worst(self.all_excesses(result))
+    }
+
+    /// Returns the responses of a run beyond its model or beyond the limits of codes, of every floor: what several runs are
+    /// [gathered](Excess::gathered) from.
+    pub fn all_excesses(&self, result: &RunResult) -> Vec<Excess> {
         let floors = self.floors();
         let dampers = self.damper_forces(result);
         let mut all = self.unwatched(result);
+        for one in all.iter_mut().filter(|one| one.kind == ExcessKind::LeftOut) {
+            let levels = floors.left_out(floors.all()[one.floor].structure);
+            one.name = levels.unwrap_or_default();
+        }
         all.extend(self.columns_hit(result));
         for floor in 0..floors.all().len() {
             let dampers = self.judged_damping(result, floor, dampers.get(floor).copied());
@@ -183,14 +115,7 @@ impl Simulation {
             let judged = judged.map(|one| self.excess(floor, one));
             all.extend(judged.filter(|one| one.found > one.limit()));
         }
-        let mut worst = Excess::worst(all);
-        for one in &mut worst {
-            if one.kind == ExcessKind::LeftOut {
-                let levels = floors.left_out(floors.all()[one.floor].structure);
-                one.name = levels.unwrap_or_default();
-            }
-        }
-        worst
+        all
     }
 
     /// Returns the drift or force of every structure that is farthest above a capacity that the scene gives, of those above one.
@@ -270,6 +195,7 @@ impl Simulation {
         strains.max_by(|one, other| one.0.total_cmp(&other.0))
     }
 
+    /// Responses of a storey. Of one that falls only its collapse and capacities are judged: the rest is that of the fall.
     fn judged(&self, result: &RunResult, floor: usize) -> Vec<Judged> {
         let floors = self.floors();
         let one = &floors.all()[floor];
@@ -282,6 +208,7 @@ impl Simulation {
         let ratio = made_of.height_m.map(|height| drift / height);
         let mut all = Vec::new();
         let collapse = result.collapse.filter(|one| one.floor == floor);
+        let falls = collapse.is_some();
         all.extend(collapse.and(ratio).map(|ratio| (ExcessKind::Collapse, ratio, None)));
         all.extend(told.shear_capacity_n.map(|capacity| (ExcessKind::Shear, shear, Some(capacity))));
         all.extend(
@@ -290,11 +217,11 @@ impl Simulation {
         );
         if let Some((ratio, capacity)) = ratio.zip(told.drift_capacity_ratio) {
             all.push((ExcessKind::Drift, ratio, Some(capacity)));
-        } else if !one.is_isolation_layer() {
+        } else if !falls && !one.is_isolation_layer() {
             all.extend(ratio.map(|ratio| (ExcessKind::Drift, ratio, None)));
             all.extend(one.ductility(drift).map(|found| (ExcessKind::Ductility, found, None)));
         }
-        if one.is_isolation_layer() {
+        if falls || one.is_isolation_layer() {
             return all;
         }
         if told.shear_capacity_n.is_none() {
@@ -311,7 +238,8 @@ impl Simulation {
             let weight = self.weight_above(floor);
             all.push((ExcessKind::Stability, weight * drift / (shear * height), None));
         }
-        if one.can_yield() {
+        // At a collapse the run ends before its end.
+        if one.can_yield() && result.collapse.is_none() {
             let below = floors.below(floor).map_or(0.0, |below| result.last.of(below).displacement);
             let residual = result.last.of(floor).displacement - below;
             all.push((ExcessKind::ResidualDrift, residual.abs() / height, None));
@@ -347,8 +275,9 @@ impl Simulation {
     fn judged_damping(&self, result: &RunResult, floor: usize, damper: Option<f64>) -> Vec<Judged> {
         let one = &self.floors().all()[floor];
         let yields = one.made_of.and_then(|made| made.columns.yield_force_n);
-        // The damper of isolators is meant.
-        let damper = damper.filter(|_| !one.is_isolation_layer());
+        // The damper of isolators is meant, and that of a storey that falls damps no shaking.
+        let falls = result.collapse.is_some_and(|collapse| collapse.floor == floor);
+        let damper = damper.filter(|_| !falls && !one.is_isolation_layer());
         let damper = damper
             .zip(yields)
             .map(|(force, yields)| (ExcessKind::DamperForce, force / yields, None));
@@ -359,92 +288,6 @@ impl Simulation {
         let mass = is_isolated.then(|| self.mass_damping(result, one.structure)).flatten();
         let mass = mass.map(|mass| (ExcessKind::MassDamping, mass.ratio, None));
         damper.into_iter().chain(mass).collect()
-    }
-}
-
-impl ExcessKind {
-    /// General limit of the kind.
-    fn most(self) -> f64 {
-        match self {
-            Self::AtColumn | Self::BesideColumn | Self::AtFoot | Self::LeftOut | Self::ColumnHit | Self::Collapse => 0.0,
-            Self::Displacement => MOST_UNKNOWN,
-            Self::Stability => Excess::MOST_STABILITY[0],
-            Self::Drift => Excess::MOST_DRIFT,
-            Self::Ductility => Excess::MOST_DUCTILITY,
-            // It is judged by a capacity alone.
-            Self::Shear => f64::INFINITY,
-            Self::MassDamping => Excess::MOST_MASS_DAMPING,
-            Self::ResidualDrift => Excess::MOST_RESIDUAL,
-            Self::BaseShear => Excess::MOST_BASE_SHEAR,
-            Self::DamperForce => Excess::MOST_DAMPER,
-        }
-    }
-
-    /// The general limit behind a value of this kind, in words; empty if the value says enough.
-    fn bound(self) -> &'static str {
-        match self {
-            Self::Displacement => ", above 0.3 m",
-            Self::Drift => ", above 2.5 %",
-            Self::Ductility => ", above 6",
-            Self::MassDamping => ", above 1 %",
-            Self::AtColumn
-            | Self::BesideColumn
-            | Self::AtFoot
-            | Self::LeftOut
-            | Self::ColumnHit
-            | Self::Collapse
-            | Self::Stability
-            | Self::Shear
-            | Self::ResidualDrift
-            | Self::BaseShear
-            | Self::DamperForce => "",
-        }
-    }
-
-    /// Whether it is a drift or a force that the columns must bear. Effects of gravity and residual drifts follow from drifts.
-    pub fn strains(self) -> bool {
-        matches!(
-            self,
-            Self::Collapse | Self::Displacement | Self::Drift | Self::Ductility | Self::Shear
-        )
-    }
-
-    /// Whether something may touch without a contact in the model: a column, or floors of a level that is left out.
-    pub fn is_unwatched(self) -> bool {
-        matches!(self, Self::AtColumn | Self::BesideColumn | Self::AtFoot | Self::LeftOut)
-    }
-
-    /// Whether it is about slabs and columns that meet, modelled or not.
-    pub fn is_of_contact(self) -> bool {
-        self.is_unwatched() || self == Self::ColumnHit
-    }
-
-    /// Whether an answer about gaps depends on every response of the kind. Stability, residual drift, base shear and dampers beside columns do
-    /// not count: the first two are estimates beyond the model, the others change drifts little.
-    fn is_caution(self) -> bool {
-        self.strains() || self.is_of_contact() || self == Self::MassDamping
-    }
-
-    /// Describes a value of this kind in a few words.
-    pub fn brief(self, found: f64) -> String {
-        match self {
-            Self::AtColumn => "may hit a column, which is not modelled".into(),
-            Self::BesideColumn => "stands beside a column, which is not modelled".into(),
-            Self::AtFoot => "may hit the foot of its neighbour, which is not modelled".into(),
-            Self::LeftOut => "may touch, and were not looked at".into(),
-            Self::ColumnHit if found > 0.0 => format!("hit by a slab, with a shear force of {} kN", two_digits(1e-3 * found)),
-            Self::ColumnHit => "hit by a slab".into(),
-            Self::Collapse => format!("collapses under gravity at a drift of {}", percent(found)),
-            Self::Displacement => format!("drift of {} mm", short(1e3 * found)),
-            Self::Stability => format!("stability coefficient of {}", short(found)),
-            Self::Drift => format!("drift of {}", percent(found)),
-            Self::Ductility => format!("ductility of {}", short(found)),
-            Self::Shear => format!("shear force of {} kN", short(1e-3 * found)),
-            Self::MassDamping => format!("dashpots to the ground of {} of critical damping", percent(found)),
-            Self::ResidualDrift => format!("{} of drift left", percent(found)),
-            Self::BaseShear => format!("shear force of {} times the weight above", two_digits(found)),
-            Self::DamperForce => format!("damper force of {} of the yield force", percent(found)),
-        }
     }
 }
 

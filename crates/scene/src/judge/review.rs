@@ -237,7 +237,7 @@ impl Simulation {
         let floors = self.floors().all().iter().enumerate();
         let unstable = floors.filter_map(|(floor, one)| {
             Some(Warning::Unstable {
-                name: one.name.clone(),
+                name: self.floors().storey_name(floor),
                 drift: one.made_of?.unstable_drift_m()?,
                 time: outcome.peaks.of(floor).unstable?,
                 collapses: outcome.collapse.is_some_and(|collapse| collapse.floor == floor),

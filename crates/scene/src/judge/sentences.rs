@@ -4,7 +4,8 @@ use std::fmt::{self, Display, Formatter};
 
 use pounding_text::{percent, short, two_digits};
 
-use super::response::{Excess, ExcessKind};
+use super::excess_kind::ExcessKind;
+use super::response::Excess;
 use crate::Floors;
 
 impl Display for Excess {
@@ -21,6 +22,7 @@ impl Excess {
         }
         let worst = match self.often() {
             often if often.is_empty() => often,
+            often if self.kind == ExcessKind::Collapse => format!("{often}, "),
             often => format!("{often}, at worst "),
         };
         format!("{worst}{}", self.says_alone())
@@ -32,7 +34,7 @@ impl Excess {
             ExcessKind::AtColumn | ExcessKind::BesideColumn | ExcessKind::AtFoot | ExcessKind::LeftOut => String::new(),
             ExcessKind::ColumnHit => column_hit(found, self.capacity),
             ExcessKind::Collapse => format!(
-                "its storey collapses under gravity: its drift passes {} of its height, and the run ends there (collapse_drift_ratio)",
+                "collapses under gravity: its drift passes {} of its height, and the run ends there (collapse_drift_ratio)",
                 percent(found)
             ),
             ExcessKind::Displacement if self.capacity.is_some() => format!(
@@ -52,7 +54,7 @@ impl Excess {
                 short(found)
             ),
             ExcessKind::Shear => format!(
-                "shear force of {} kN, above its capacity of {} kN: the storey fails before it does what the model says",
+                "shear force of {} kN, above its capacity of {} kN: it fails before it does what the model says",
                 short(1e-3 * found),
                 short(1e-3 * self.capacity.unwrap_or_default())
             ),
@@ -62,18 +64,18 @@ impl Excess {
                  alpha_per_s = 0",
                 percent(found)
             ),
-            ExcessKind::ResidualDrift if found > Excess::MOST_DRIFT => format!(
-                "drift of {} of the storey height left at the end, more than 2.5 %, which columns hardly survive: the value is one of a model \
-                 without loss of strength, and says only that the building would not be used again",
+            ExcessKind::ResidualDrift if found > ExcessKind::MOST_DRIFT => format!(
+                "drift of {} of the height left at the end, more than 2.5 %, which columns hardly survive: the value is one of a model \
+                 without loss of strength, and says only that the structure would not be used again",
                 percent(found)
             ),
             ExcessKind::ResidualDrift => format!(
-                "drift of {} of the storey height left at the end, above 0.5 % (McCormick et al. 2008): realignment likely; the value depends \
+                "drift of {} of the height left at the end, above 0.5 % (McCormick et al. 2008): realignment likely; the value depends \
                  on the model of yielding",
                 percent(found)
             ),
             ExcessKind::BaseShear => format!(
-                "shear force of {} times the weight above, more than 0.4: few buildings are that strong (yield_force_n, shear_capacity_n)",
+                "shear force of {} times the weight above, more than 0.4: few structures are that strong (yield_force_n, shear_capacity_n)",
                 two_digits(found)
             ),
             ExcessKind::DamperForce => format!(
@@ -94,9 +96,9 @@ impl Excess {
         });
         let ratios = assumed.filter_map(|(floor, one)| one.drift_ratio(drift(floor)));
         let largest = ratios.reduce(f64::max)?;
-        (largest > BRITTLE && largest <= Self::MOST_DRIFT).then(|| {
+        (largest > BRITTLE && largest <= ExcessKind::MOST_DRIFT).then(|| {
             format!(
-                "drifts of up to {} of the storey height are judged by 2.5 %, the limit of ductile construction, which is assumed; masonry and \
+                "drifts of up to {} of the height are judged by 2.5 %, the limit of ductile construction, which is assumed; masonry and \
                  non-ductile frames fail at 0.4 to 1 % (drift_capacity_ratio)",
                 percent(largest)
             )
@@ -164,11 +166,11 @@ fn drift(found: f64, capacity: Option<f64>) -> String {
     let found = percent(found);
     match capacity {
         Some(capacity) => format!(
-            "drift of {found} of the storey height, above its capacity of {}: columns that lose strength, which the model leaves out, decide",
+            "drift of {found} of the height, above its capacity of {}: columns that lose strength, which the model leaves out, decide",
             percent(capacity)
         ),
         None => format!(
-            "drift of {found} of the storey height, above 2.5 % (NBCC 2015, 4.1.8.13): columns that lose strength, which the model leaves out, \
+            "drift of {found} of the height, above 2.5 % (NBCC 2015, 4.1.8.13): columns that lose strength, which the model leaves out, \
              decide. {DUCTILE}"
         ),
     }
@@ -177,7 +179,7 @@ fn drift(found: f64, capacity: Option<f64>) -> String {
 /// What gravity does at a stability coefficient θ = P Δ/(V h): of a perfectly plastic storey it leaves 1 − θ of the strength.
 fn gravity(found: f64) -> String {
     let theta = format!("stability coefficient P Δ/(V h) = {}", short(found));
-    let [matters, most] = Excess::MOST_STABILITY;
+    let [matters, most] = ExcessKind::MOST_STABILITY;
     let left = format!("{:.0} %", 100.0 * (1.0 - found));
     if found >= 1.0 {
         format!(

@@ -219,7 +219,7 @@ fn unstable(name: &str, [drift, time]: [f64; 2], collapses: bool, to: &mut Forma
     };
     write!(
         to,
-        "{name}: its storey passes its unstable equilibrium, a drift of {} mm, at t = {time:.4} s: from there gravity alone brings it down; {after}",
+        "{name} passes its unstable equilibrium, a drift of {} mm, at t = {time:.4} s: from there gravity alone brings it down; {after}",
         short(1e3 * drift)
     )
 }

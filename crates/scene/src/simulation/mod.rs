@@ -4,6 +4,7 @@ mod advice;
 mod collapse;
 pub(crate) mod dampers;
 pub(crate) mod floors;
+mod longest_blow;
 mod model;
 mod pair_outcome;
 mod refused;

@@ -199,8 +199,8 @@ impl Simulation {
     pub fn says_collapse(&self, result: &RunResult) -> Option<String> {
         let collapse = result.collapse?;
         Some(format!(
-            "{} collapses under gravity: at t = {:.4} s the drift of its storey passes {} of its height, and the run ends",
-            self.floors.all()[collapse.floor].name,
+            "{} collapses under gravity: at t = {:.4} s its drift passes {} of its height, and the run ends",
+            self.floors.storey_name(collapse.floor),
             collapse.time_s,
             percent(self.scene.collapse_drift())
         ))

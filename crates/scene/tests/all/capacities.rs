@@ -121,17 +121,17 @@ fn issue_capacities_replace_the_limits_of_ductile_construction() {
     };
     insta::assert_snapshot!(said(", drift_capacity_ratio = 0.01, shear_capacity_n = 3e6"), @"");
     insta::assert_snapshot!(said(", drift_capacity_ratio = 0.004, shear_capacity_n = 2e6"), @r"
-    shop: drift of 0.80 % of the storey height, above its capacity of 0.40 %: columns that lose strength, which the model leaves out, decide
-    shop: shear force of 2400 kN, above its capacity of 2000 kN: the storey fails before it does what the model says
+    shop: drift of 0.80 % of the height, above its capacity of 0.40 %: columns that lose strength, which the model leaves out, decide
+    shop: shear force of 2400 kN, above its capacity of 2000 kN: it fails before it does what the model says
     ");
     // With a capacity of drift the ductility is not judged besides.
     insta::assert_snapshot!(said(", yield_displacement_m = 0.003, drift_capacity_ratio = 0.01"), @r"
     shop: stability coefficient P Δ/(V h) = 0.1308, above 0.1 (EN 1998-1:2004, 4.4.2.2): gravity, which the model leaves out, adds to the drift, and leaves 87 % of the strength where the storey yields
-    shop: drift of 0.60 % of the storey height left at the end, above 0.5 % (McCormick et al. 2008): realignment likely; the value depends on the model of yielding
+    shop: drift of 0.60 % of the height left at the end, above 0.5 % (McCormick et al. 2008): realignment likely; the value depends on the model of yielding
     ");
     let (simulation, excesses) = judged(&let_go(", shear_capacity_n = 3e6"));
     assert_eq!(excesses, []);
-    insta::assert_snapshot!(Excess::says_assumed(simulation.floors(), |_| 0.024).expect("a drift that masonry does not bear"), @"drifts of up to 0.80 % of the storey height are judged by 2.5 %, the limit of ductile construction, which is assumed; masonry and non-ductile frames fail at 0.4 to 1 % (drift_capacity_ratio)");
+    insta::assert_snapshot!(Excess::says_assumed(simulation.floors(), |_| 0.024).expect("a drift that masonry does not bear"), @"drifts of up to 0.80 % of the height are judged by 2.5 %, the limit of ductile construction, which is assumed; masonry and non-ductile frames fail at 0.4 to 1 % (drift_capacity_ratio)");
     assert_eq!(Excess::says_assumed(simulation.floors(), |_| 0.01), None);
     let none = let_go(", drift_capacity_ratio = 0.01").replace("height_m = 3, ", "");
     for (text, said) in [
@@ -153,7 +153,7 @@ fn issue_elastic_frames_that_bear_half_their_weight_sideways_are_warned_of() {
     // 2.4 MN over 500 t.
     let [one] = &excesses[..] else { panic!("{excesses:?}") };
     assert!((one.found / (2.4e6 / (5e5 * 9.80665)) - 1.0).abs() < 1e-9, "{one:?}");
-    insta::assert_snapshot!(one, @"shop: shear force of 0.49 times the weight above, more than 0.4: few buildings are that strong (yield_force_n, shear_capacity_n)");
+    insta::assert_snapshot!(one, @"shop: shear force of 0.49 times the weight above, more than 0.4: few structures are that strong (yield_force_n, shear_capacity_n)");
     assert_eq!(judged(&let_go("").replace("0.024", "0.018")).1, []);
 }
 

@@ -166,7 +166,7 @@ fn limit_a_run_that_collapses_is_the_run_until_then() {
     }
     let of = |run: &RunResult| run.of_pair(0).total_impulse;
     same(of(&fallen), of(&shorter));
-    insta::assert_snapshot!(simulation.says_collapse(&fallen).expect("it falls"), @"a, floor 1 collapses under gravity: at t = 2.0344 s the drift of its storey passes 20 % of its height, and the run ends");
+    insta::assert_snapshot!(simulation.says_collapse(&fallen).expect("it falls"), @"a, storey 1 collapses under gravity: at t = 2.0344 s its drift passes 20 % of its height, and the run ends");
 }
 
 /// The instant beyond which gravity alone would bring a storey down is told, and so is that a neighbour may hold it.
@@ -178,11 +178,11 @@ fn issue_the_unstable_equilibrium_is_named() {
         unstable.map(ToString::to_string).collect::<Vec<_>>().join("\n")
     };
     let storey = Storey::at(1.05);
-    insta::assert_snapshot!(said(&storey.scene("")), @"a: its storey passes its unstable equilibrium, a drift of 250.0 mm, at t = 0.8542 s: from there gravity alone brings it down; nothing brought it back");
+    insta::assert_snapshot!(said(&storey.scene("")), @"a passes its unstable equilibrium, a drift of 250.0 mm, at t = 0.8542 s: from there gravity alone brings it down; nothing brought it back");
     // A wall holds it.
     let held = storey.scene("contacts = [{ gap_m = 0.3, law.stereomechanical.restitution = 0.5 }]");
     let held = held.replace("} }]\n", "} }, { wall = {} }]\n");
-    insta::assert_snapshot!(said(&held), @"a: its storey passes its unstable equilibrium, a drift of 250.0 mm, at t = 0.8542 s: from there gravity alone brings it down; shaking, the floors above or neighbours brought it back, or may still do so");
+    insta::assert_snapshot!(said(&held), @"a passes its unstable equilibrium, a drift of 250.0 mm, at t = 0.8542 s: from there gravity alone brings it down; shaking, the floors above or neighbours brought it back, or may still do so");
     // Columns that gain more than gravity takes have no unstable equilibrium.
     let hardens = storey
         .scene("")

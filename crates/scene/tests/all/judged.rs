@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use pounding_scene::{ExcessKind, Implausible, Scene, Simulation, UnwatchedFloor};
+use pounding_scene::{Excess, ExcessKind, Implausible, Often, Scene, Simulation, UnwatchedFloor};
 
 /// Floors at 3, 6.5 and 9.5 m beside floors at 3, 7, 11 and 15 m. Only the lowest floors may touch.
 const STAGGERED: &str = r#"
@@ -161,7 +161,7 @@ fn reference_a_chain_that_comes_to_rest_together() {
 #[test]
 fn issue_no_building_is_realigned_from_far() {
     let left = |found: f64| {
-        let one = pounding_scene::Excess {
+        let one = Excess {
             kind: ExcessKind::ResidualDrift,
             floor: 0,
             name: "a".into(),
@@ -173,4 +173,29 @@ fn issue_no_building_is_realigned_from_far() {
     };
     assert!(left(0.01).contains("realignment likely"));
     assert!(left(0.14).contains("14 %") && left(0.14).contains("would not be used again") && !left(0.14).contains("realignment"));
+}
+
+/// "In 2 of 2 runs, at worst a drift of 5 %" was said of a storey that drifts so far in one of them: all storeys and limits were counted.
+#[test]
+fn issue_a_response_is_counted_by_its_storey_and_limit() {
+    let drift = |name: &str, found: f64, capacity: Option<f64>| Excess {
+        kind: ExcessKind::Drift,
+        floor: 0,
+        name: name.into(),
+        found,
+        capacity,
+        often: None,
+    };
+    let samples = [
+        vec![drift("low", 0.03, None), drift("weak", 0.006, Some(0.004))],
+        vec![drift("high", 0.05, None)],
+    ];
+    let found = Excess::gathered(&samples, "run");
+    let often = Some(Often {
+        n: 1,
+        of: 2,
+        sample: "run",
+    });
+    let found: Vec<_> = found.iter().map(|one| (one.name.as_str(), one.often)).collect();
+    assert_eq!(found, [("high", often), ("weak", often)]);
 }

@@ -19,6 +19,7 @@ mod numbers;
 mod openings;
 mod pair_record;
 mod pair_spectrum;
+mod pushes;
 mod scene_files;
 mod spectrum;
 mod tangent_damping;

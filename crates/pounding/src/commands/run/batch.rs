@@ -68,7 +68,8 @@ fn answer<'a>(runs: &'a Runs<'_>) -> Answer<'a> {
     let answer = runs
         .answer()
         .table(Where::Terminal, lines(runs))
-        .say(Where::Terminal, "Result", result(runs));
+        .say(Where::Terminal, "Result", result(runs))
+        .say(Where::Terminal, "Warnings", runs.warnings());
     effects(runs, answer)
         .say(Where::Terminal, "Records", runs.records(true))
         .say(
@@ -95,7 +96,7 @@ fn answer<'a>(runs: &'a Runs<'_>) -> Answer<'a> {
 }
 
 const OF_PAIRS: &str =
-    "Below a record, the pair of the largest impulse; leaning: in a touch of more than 0.25 s, which is a push and no blow.";
+    "Below a record, the pair of the largest impulse; leaning: in a touch of more than 0.25 s, longer than a blow, which is a push.";
 
 const NOTES: &str = "Scale: what the record was multiplied by. Impulse, force and displ.: the largest of all collisions and structures; \
                      force, of the laws that have one. Error: the largest distance of a \

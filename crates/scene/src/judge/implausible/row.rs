@@ -8,8 +8,6 @@ use pounding_text::{digits, short};
 
 /// Widest usual gap \[m\]: the moat of an isolated building, or the seismic joint of tall ones.
 const WIDEST: f64 = 2.0;
-/// Speed at which buildings commonly meet \[m/s\].
-const SPEED: f64 = 0.3;
 /// Longest usual collision at that speed \[s\].
 const LONGEST: f64 = 0.25;
 /// Longest usual delay between neighbours \[s\]: a hundred metres at an apparent velocity of 100 m/s.
@@ -58,7 +56,7 @@ fn doubt_the_law(
     let inverse = |floor: usize| floors.all()[floor].made_of.map_or(0.0, |made| 1.0 / made.mass_kg);
     let pair = FreePair {
         reduced_mass: reduced_mass(inverse(facing.left), inverse(facing.right)),
-        approach_speed: SPEED,
+        approach_speed: Simulation::USUAL_APPROACH,
     };
     // Most contacts of a long row are equal.
     let known = lasted.filter(|(law, of, _)| (law, of) == (&contact.law, &pair));
@@ -71,7 +69,7 @@ fn doubt_the_law(
         duration <= LONGEST,
         duration / LONGEST,
         format!("contacts[{index}].law.{}", contact.law.name()),
-        format!("a collision at {SPEED} m/s that lasts {} s", short(duration)),
+        format!("a collision at {} m/s that lasts {} s", Simulation::USUAL_APPROACH, short(duration)),
         "up to 0.25 s; its impact stiffness and damping decide it",
     );
 }

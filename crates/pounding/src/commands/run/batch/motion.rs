@@ -46,7 +46,7 @@ impl RunUnderMotion {
             error,
             why,
             doubts: prepared.doubts(),
-            excesses: review.excesses.clone(),
+            excesses: prepared.all_excesses(&review.outcome),
             warnings: review.notices(),
             collapse: CollapseSummary::of_run(prepared, &review.outcome),
             all: PairOutcome::of(review.outcome.collisions.all()),

@@ -1,0 +1,96 @@
+//! What no width of a gap helps against: buildings that exceed a capacity of the scene, collapse, or would hardly stand even alone.
+
+use std::collections::BTreeSet;
+
+use pounding_assess::{Case, says_believed};
+use pounding_scene::{Excess, Floors, Often, RowWords};
+
+/// Every building that exceeds a capacity of the scene even alone, by the drift or force that is farthest above it, with the number of `of`
+/// samples. `all` has such responses, each with its case.
+pub(crate) fn over_capacity(floors: &Floors, all: &[(Case, &Excess)], of: usize, sample: &'static str) -> Vec<Excess> {
+    let of_building = |structure: usize| {
+        let own = all.iter().filter(|(_, one)| floors.all()[one.floor].structure == structure);
+        let (_, worst) = own.clone().max_by(|one, other| one.1.share().total_cmp(&other.1.share()))?;
+        let cases: BTreeSet<Case> = own.map(|(case, _)| *case).collect();
+        let often = Often {
+            n: cases.len(),
+            of,
+            sample,
+        };
+        Some(Excess {
+            often: Some(often),
+            ..(*worst).clone()
+        })
+    };
+    (0..floors.structures().len()).filter_map(of_building).collect()
+}
+
+/// The buildings that exceed a capacity even alone, in a sentence; `None` if none does.
+pub(crate) fn says_over_capacity(over: &[Excess], words: RowWords) -> Option<String> {
+    let building = words.building;
+    let exceed = match over.len() {
+        0 => return None,
+        1 => format!("the {building} exceeds its capacity"),
+        _ => format!("{building}s exceed their capacity"),
+    };
+    let over: Vec<String> = over.iter().map(Excess::brief).collect();
+    Some(format!(
+        "Whatever the gap, {exceed} even {} ({}). The widths below keep floors apart, and do no more.",
+        words.alone,
+        over.join("; ")
+    ))
+}
+
+/// A response beyond belief and its limit: "a, storey 2: drift of 6.1 %, above 5 %, the most that is believed".
+pub(crate) fn says_beyond(worst: &Excess) -> String {
+    format!("{}: {}{}", worst.name, worst.kind.brief(worst.found), says_believed(worst.kind))
+}
+
+/// How many samples are not believed: a building would not stand in them.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Fallen {
+    /// Number of samples.
+    pub(crate) of: usize,
+    /// Number of those that are not believed.
+    pub(crate) doubted: usize,
+    /// Number of those in which a storey collapses.
+    pub(crate) collapsed: usize,
+    /// The word for a sample.
+    pub(crate) sample: &'static str,
+    /// Words for the structures of the row.
+    pub(crate) words: RowWords,
+}
+
+impl Fallen {
+    /// The subject and the verb of a sentence about the samples that are not believed.
+    pub(crate) fn says(&self) -> String {
+        let falls = match self.collapsed {
+            0 => "would hardly stand",
+            n if n == self.doubted => "collapses",
+            _ => "collapses or would hardly stand",
+        };
+        format!("a {} {falls}", self.words.building)
+    }
+
+    /// "the 6 events without a collapse".
+    pub(crate) fn others(&self) -> String {
+        let others = match self.of - self.doubted {
+            1 => format!("the one {}", self.sample),
+            n => format!("the {n} {}s", self.sample),
+        };
+        let which = if self.collapsed == self.doubted {
+            "without a collapse"
+        } else {
+            "that count"
+        };
+        format!("{others} {which}")
+    }
+
+    /// The end of a sentence about a width: "; in 3 of 9 a storey collapses whatever the gap". Empty if none does.
+    pub(crate) fn whatever(&self) -> String {
+        match self.collapsed {
+            0 => String::new(),
+            n => format!("; in {n} of {} a {} collapses whatever the gap", self.of, self.words.storey),
+        }
+    }
+}
