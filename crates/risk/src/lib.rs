@@ -21,12 +21,13 @@
 //!
 //! This crate knows neither structures nor records: `pounding-sweep` runs motions at each intensity, `pounding-report` prints the answer.
 //!
-//! Where to start: [`Fragility::of`], [`Bootstrap::of`] for its bounds, [`HazardCurve::annual`].
+//! Where to start: [`Risk::of`], with [`Fragility::of`], [`Bootstrap::of`] for its bounds, and [`HazardCurve::annual`]; [`StripeRuns`] for the runs.
 
 mod bootstrap;
 mod fragility;
 mod hazard;
 mod normal;
+mod risk;
 mod runs;
 mod state;
 mod stripe;
@@ -34,6 +35,7 @@ mod stripe;
 pub use bootstrap::Bootstrap;
 pub use fragility::{Fragility, FragilityFit};
 pub use hazard::{AnnualFrequency, Contribution, HazardCurve};
+pub use risk::Risk;
 pub use runs::{Reached, StripeMotion, StripeRun, StripeRuns};
 pub use state::{RunNumbers, State};
 pub use stripe::{EventShare, Stripe, Stripes};
