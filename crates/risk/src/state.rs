@@ -2,7 +2,7 @@
 
 use std::str::FromStr;
 
-use pounding_text::{Refused, digits, short};
+use pounding_text::{Refused, digits};
 
 /// Numbers of one run.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -77,9 +77,20 @@ impl State {
             Self::Touch(None) => "touch".into(),
             Self::Touch(Some(gap)) => format!("close gap {}", gap + 1),
             Self::Drift(limit) => format!("exceed a drift of {} %", digits(100.0 * limit)),
-            Self::Force(limit) => format!("exceed a force of {} kN", short(limit * 1e-3)),
-            Self::Shear(limit) => format!("exceed a shear force of {} kN", short(limit * 1e-3)),
+            Self::Force(limit) => format!("exceed a force of {} kN", digits(limit * 1e-3)),
+            Self::Shear(limit) => format!("exceed a shear force of {} kN", digits(limit * 1e-3)),
             Self::Collapse => "collapse".into(),
+        }
+    }
+
+    /// Name for people.
+    pub fn shown(self) -> String {
+        match self {
+            Self::Touch(None) | Self::Collapse => self.name(),
+            Self::Touch(Some(gap)) => format!("touch, gap {}", gap + 1),
+            Self::Drift(limit) => format!("drift > {} %", digits(100.0 * limit)),
+            Self::Force(limit) => format!("force > {} kN", digits(limit * 1e-3)),
+            Self::Shear(limit) => format!("shear > {} kN", digits(limit * 1e-3)),
         }
     }
 

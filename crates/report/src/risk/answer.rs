@@ -1,8 +1,8 @@
 //! The sentences and tables of stripes.
 
-use pounding_risk::{AnnualFrequency, Fragility, FragilityFit, Risk, State, Stripe, StripeMotion, StripeRun};
+use pounding_risk::{AnnualFrequency, Fragility, FragilityFit, Reached, Risk, State, Stripe, StripeMotion, StripeRun};
 use pounding_scene::Implausible;
-use pounding_text::{Answer, Cell, Table, Unit, Where, digits, percent, short};
+use pounding_text::{Answer, Cell, Grid, Table, Unit, Where, digits, percent, two_digits};
 use serde_json::{Value, json};
 
 use super::{Demand, RiskReport};
@@ -22,12 +22,12 @@ impl<'a> RiskReport<'a> {
         if let Some((state, risk)) = self.states.first() {
             answer = answer.say(Where::Terminal, "Answer", self.result(*state, risk));
         }
-        let named = |(state, risk): &'a (State, Risk)| (state.name(), risk);
+        let named = |(state, risk): &'a (State, Risk)| (*state, risk);
         let states = self.risks(Table::of(self.states.iter().map(named)).both(
             "state",
             "State",
-            |row| row.0.clone(),
-            |row| row.0.clone(),
+            |row| row.0.name(),
+            |row| row.0.shown(),
         ));
         let of_gaps = Table::of(self.by_gap.iter().map(|(gap, risk)| (*gap, risk)));
         let gaps = self.risks(of_gaps.number("gap_m", "Gap", &Unit::GAP, |row| row.0));
@@ -37,8 +37,8 @@ impl<'a> RiskReport<'a> {
         answer
             .table(Where::Terminal, gaps.grid())
             .say(Where::Terminal, "Warnings", self.warnings())
-            .table(Where::Terminal, self.stripes_table().grid())
-            .table(Where::Details, self.motions_table().grid())
+            .table(Where::Terminal, self.stripes_grid())
+            .table(Where::Details, self.motions_grid())
             .say(Where::FirstScreen, "Records", self.records(false))
             .say(Where::Details, "Records", self.records(true))
             .say(Where::Terminal, "Notes", self.notes())
@@ -61,14 +61,18 @@ impl<'a> RiskReport<'a> {
         let Some(fragility) = risk.fragility() else {
             return vec![format!("no fragility of motions that {}", state.words())];
         };
-        let theta = bounds(risk.bounds(|one| one.median), short);
-        let beta = bounds(risk.bounds(|one| one.dispersion), short);
+        let theta = bounds(risk.bounds(|one| one.median), three);
+        let beta = bounds(risk.bounds(|one| one.dispersion), three);
+        let across = match (state, state.limit(&self.runs.gaps)) {
+            (State::Touch(_), Some(gap)) => format!(" across {} mm", digits(gap * 1e3)),
+            _ => String::new(),
+        };
         let mut said = vec![format!(
-            "half of the motions {} at {} = {} g{theta}; β = {}{beta}",
+            "half of the motions {}{across} at {} = {} g{theta}; β = {}{beta}",
             state.words(),
             self.measured(),
-            short(fragility.median),
-            short(fragility.dispersion)
+            three(fragility.median),
+            three(fragility.dispersion)
         )];
         if let Some(annual) = risk.annual() {
             let period = risk.rate_bounds.map(|[low, high]| [high.recip(), low.recip()]);
@@ -77,7 +81,7 @@ impl<'a> RiskReport<'a> {
                 "once in {} years{}: {} per year, {} in 50 years",
                 years(annual.return_period()),
                 bounds(period, years),
-                short(annual.rate),
+                three(annual.rate),
                 percent(annual.probability_in(YEARS))
             ));
             said.extend(self.says_contributions(fragility));
@@ -98,8 +102,7 @@ impl<'a> RiskReport<'a> {
             reached.map(|one| one.intensities)
         };
         let (from, to) = (at(0.25)?, at(0.75)?);
-        let rough = |number: f64| digits(format!("{number:.1e}").parse().unwrap_or(number));
-        Some(format!("half of that comes from motions of {} to {} g", rough(from[0]), rough(to[1])))
+        Some(format!("half of that comes from motions of {} to {} g", two_digits(from[0]), two_digits(to[1])))
     }
 
     /// Adds the numbers of risks to a table.
@@ -111,16 +114,16 @@ impl<'a> RiskReport<'a> {
         let between = |number: fn(&Fragility) -> f64| {
             move |row: &(Of, &Risk)| {
                 let bounds = row.1.bounds(number);
-                bounds.map(|[low, high]| format!("{}–{}", short(low), short(high)))
+                bounds.map(|[low, high]| format!("{}–{}", three(low), three(high)))
             }
         };
         let of_fit = |number: fn(&FragilityFit) -> f64| move |row: &(Of, &Risk)| Cell::exact(row.1.fit.as_ref().ok().map(number));
         let (median, dispersion): (fn(&Fragility) -> f64, fn(&Fragility) -> f64) = (|one| one.median, |one| one.dispersion);
-        let table = numbered(table, ["median_g", "θ", "g"], short, fragility(median))
+        let table = numbered(table, ["median_g", "θ", "g"], three, fragility(median))
             .column("median_low_g", ends(median, 0))
             .column("median_high_g", ends(median, 1))
             .shown_in("g", "95 %", between(median));
-        let table = numbered(table, ["dispersion", "β", ""], short, fragility(dispersion))
+        let table = numbered(table, ["dispersion", "β", ""], three, fragility(dispersion))
             .column("dispersion_low", ends(dispersion, 0))
             .column("dispersion_high", ends(dispersion, 1))
             .shown("95 %", between(dispersion))
@@ -129,70 +132,72 @@ impl<'a> RiskReport<'a> {
             .column("correlation", of_fit(|fit| fit.correlation))
             .column("minus_log_likelihood", of_fit(|fit| fit.minus_log_likelihood));
         let table = if self.hazard.is_some() { frequencies(table) } else { table };
-        let table = table.column("refused", |row| row.1.refused().map(ToString::to_string));
-        let any = self.states.iter().map(|one| &one.1).chain(self.by_gap.iter().map(|one| &one.1));
-        if any.skip(1).any(|risk| risk.refused().is_some()) {
-            table.shown("", |row| row.1.refused().map_or_else(String::new, |refused| refused.parts().found.unwrap_or_default()))
-        } else {
-            table
-        }
+        table.column("refused", |row| row.1.refused().map(ToString::to_string))
     }
 
-    /// A row for each intensity: how many events reach each state.
-    pub(super) fn stripes_table(&'a self) -> Table<'a, usize> {
-        let table = Table::of(0..self.runs.intensities.len()).both(
-            "intensity_g",
-            (self.measured(), "g"),
-            |index| Cell::exact(Some(self.runs.intensities[*index])),
-            |index| digits(self.runs.intensities[*index]),
-        );
-        let of = |risk: &'a Risk, index: usize| -> &'a Stripe { &risk.stripes.all[index] };
-        self.states.iter().fold(table, |table, (state, risk)| {
-            let name = state.name();
-            let fitted = move |index: &usize| Some(risk.fragility()?.probability(self.runs.intensities[*index]));
+    /// A row for each state and intensity, for programs: how many events reach the state.
+    pub(super) fn stripes_table(&'a self) -> Table<'a, (State, &'a Risk, &'a Stripe)> {
+        let rows = self.states.iter().flat_map(|(state, risk)| {
+            let stripes = risk.stripes.all.iter();
+            stripes.map(move |stripe| (*state, risk, stripe))
+        });
+        let fitted = |(_, risk, stripe): &(State, &Risk, &Stripe)| Some(risk.fragility()?.probability(stripe.intensity));
+        Table::of(rows)
+            .column("state", |row| row.0.name())
+            .column("intensity_g", |row| Cell::exact(row.2.intensity))
+            .column("events", |row| row.2.n())
+            .column("exceeding", |row| Cell::exact(row.2.exceeding()))
+            .column("share", |row| Cell::exact(row.2.share()))
+            .column("fitted", move |row| Cell::exact(fitted(row)))
+    }
+
+    /// A row for each intensity, for people.
+    fn stripes_grid(&self) -> Grid {
+        let table = Table::of(0..self.runs.intensities.len());
+        let table = table.shown_in("g", "Intensity", |index| three(self.runs.intensities[*index]));
+        let all = self.states.iter().fold(table, |table, (state, risk)| {
+            let fitted = |index: usize| Some(risk.fragility()?.probability(self.runs.intensities[index]));
             table
-                .column(format!("{name}: events"), move |index| of(risk, *index).n())
-                .column(format!("{name}: exceeding"), move |index| Cell::exact(Some(of(risk, *index).exceeding())))
-                .shown(name.clone(), move |index| {
-                    let stripe = of(risk, *index);
+                .shown(state.shown(), |index| {
+                    let stripe = &risk.stripes.all[*index];
                     format!("{} of {}", digits((stripe.exceeding() * 100.0).round() / 100.0), stripe.n())
                 })
-                .both(
-                    format!("{name}: fitted"),
-                    "fitted",
-                    move |index| Cell::exact(fitted(index)),
-                    move |index| fitted(index).map(|part| format!("{:.0} %", 100.0 * part)),
-                )
-        })
+                .shown("fitted", move |index| fitted(*index).map(|part| format!("{:.0} %", 100.0 * part)))
+        });
+        all.grid()
     }
 
-    /// A row for each motion: the least intensity at which it reaches each state.
-    fn motions_table(&'a self) -> Table<'a, usize> {
-        let motion = |index: &usize| -> &'a StripeMotion { &self.runs.motions[*index] };
+    /// A row for each state and motion, for programs: the least intensity at which the motion reaches the state.
+    fn motions_table(&'a self) -> Table<'a, (State, &'a StripeMotion, Option<Reached>)> {
+        let rows = self.states.iter().flat_map(|(state, _)| {
+            let motions = self.runs.motions.iter().zip(self.runs.reached(*state));
+            motions.map(move |(motion, reached)| (*state, motion, reached))
+        });
+        Table::of(rows)
+            .column("state", |row| row.0.name())
+            .column("record", |row| row.1.name.clone())
+            .column("reversed", |row| row.1.reversed)
+            .column("event", |row| row.1.event + 1)
+            .column("own_intensity_g", |row| Cell::exact(row.1.own_intensity))
+            .column("first_g", |row| Cell::exact(row.2.map(|one| one.first)))
+            .column("returns", |row| row.2.map(|one| one.returns))
+    }
+
+    /// A row for each motion, for people.
+    fn motions_grid(&self) -> Grid {
+        let motion = |index: &usize| &self.runs.motions[*index];
         let table = Table::of(0..self.runs.motions.len())
-            .shown("Record", move |index| motion(index).name())
-            .column("record", move |index| motion(index).name.clone())
-            .column("reversed", move |index| motion(index).reversed)
-            .both("event", "Event", move |index| motion(index).event + 1, move |index| {
-                (motion(index).event + 1).to_string()
-            });
-        let table = numbered(table, ["own_intensity_g", "Own", "g"], short, move |index| motion(index).own_intensity);
-        self.states.iter().fold(table, |table, (state, _)| {
+            .shown("Record", |index| motion(index).name())
+            .shown("Event", |index| (motion(index).event + 1).to_string())
+            .shown_in("g", "Own", |index| motion(index).own_intensity.map(three));
+        let all = self.states.iter().fold(table, |table, (state, _)| {
             let reached = self.runs.reached(*state);
-            let again = reached.clone();
-            let (name, shown) = (state.name(), reached.clone());
-            table
-                .both(
-                    format!("{name}: first_g"),
-                    (format!("{name} from"), "g"),
-                    move |index| Cell::exact(reached[*index].map(|one| one.first)),
-                    move |index| {
-                        let one = shown[*index]?;
-                        Some(format!("{}{}", digits(one.first), if one.returns { "*" } else { "" }))
-                    },
-                )
-                .column(format!("{name}: returns"), move |index| again[*index].map(|one| one.returns))
-        })
+            table.shown_in("g", state.shown(), move |index| {
+                let one = reached[*index]?;
+                Some(format!("{}{}", three(one.first), if one.returns { "*" } else { "" }))
+            })
+        });
+        all.grid()
     }
 
     /// A row for each run, for programs.
@@ -203,7 +208,7 @@ impl<'a> RiskReport<'a> {
             .column("record", move |run| motion(run).name.clone())
             .column("reversed", move |run| motion(run).reversed)
             .column("event", move |run| motion(run).event + 1)
-            .column("intensity_g", move |run| Cell::exact(Some(intensity(run))))
+            .column("intensity_g", move |run| Cell::exact(intensity(run)))
             .column("scale", move |run| Cell::exact(motion(run).own_intensity.map(|own| intensity(run) / own)));
         let has_required = self.runs.runs.iter().any(|run| run.found.as_ref().is_ok_and(|one| !one.required.is_empty()));
         let gaps = if has_required { self.runs.gaps.len() } else { 0 };
@@ -262,6 +267,11 @@ impl<'a> RiskReport<'a> {
                 self.runs.runs.len()
             )),
         }
+        // The refusal of the first state is that of the command.
+        let others = self.states.iter().skip(1).map(|(state, risk)| (state.shown(), risk));
+        let gaps = self.by_gap.iter().map(|(gap, risk)| (format!("a gap of {} mm", digits(gap * 1e3)), risk));
+        let refused = others.chain(gaps).filter_map(|(name, risk)| Some(format!("{name}: {}", risk.refused()?)));
+        said.extend(refused);
         said.extend(self.states.iter().filter_map(|(state, risk)| self.says_beyond(*state, risk)));
         said.extend(self.states.iter().filter_map(|(state, risk)| says_without_bounds(*state, risk)));
         said.extend(self.says_factors());
@@ -276,7 +286,7 @@ impl<'a> RiskReport<'a> {
         (!(*first..=*last).contains(&median)).then(|| {
             format!(
                 "the median of {} lies beyond the intensities of {} to {} g: it continues their lognormal distribution",
-                state.name(),
+                state.shown(),
                 digits(*first),
                 digits(*last)
             )
@@ -292,15 +302,16 @@ impl<'a> RiskReport<'a> {
         });
         let factors: Vec<f64> = factors.collect();
         let beyond = factors.iter().filter(|factor| !(least..=most).contains(*factor)).count();
-        let largest = factors.iter().copied().fold(0.0, f64::max);
+        let ends = [f64::min, f64::max].map(|end| factors.iter().copied().reduce(end).map_or_else(String::new, three));
         (beyond > 0).then(|| {
             format!(
-                "{beyond} of {} runs scale a record by less than {} or more than {}, up to {}: it belongs to other earthquakes. Take records \
-                 of each intensity (--stripe)",
+                "{beyond} of {} runs scale a record by less than {} or more than {} ({} to {}): such motions belong to other earthquakes; take \
+                 records of each intensity (--stripe)",
                 factors.len(),
                 digits(least),
                 digits(most),
-                short(largest)
+                ends[0],
+                ends[1]
             )
         })
     }
@@ -332,7 +343,7 @@ impl<'a> RiskReport<'a> {
                     "{n} of {} motions that reach {} leave it again at a higher intensity (* with --details): the share at each intensity \
                      counts, not the first.",
                     reached.iter().flatten().count(),
-                    state.name()
+                    state.shown()
                 )
             })
         });
@@ -368,7 +379,7 @@ fn frequencies<'a, Of: 'a>(table: Table<'a, (Of, &'a Risk)>) -> Table<'a, (Of, &
     let end = |end: usize| move |row: &(Of, &Risk)| Cell::exact(row.1.rate_bounds.map(|bounds| bounds[end]));
     let exact = |number: fn(&AnnualFrequency) -> f64| move |row: &(Of, &Risk)| Cell::exact(row.1.annual().map(number));
     let years = |years: f64| digits(years.round());
-    let table = numbered(table, ["annual_frequency_per_year", "λ", "1/year"], short, of(|one| one.rate))
+    let table = numbered(table, ["annual_frequency_per_year", "λ", "1/year"], three, of(|one| one.rate))
         .column("annual_frequency_low_per_year", end(0))
         .column("annual_frequency_high_per_year", end(1))
         .column("part_below_the_curve", exact(|one| one.beyond[0]))
@@ -376,6 +387,11 @@ fn frequencies<'a, Of: 'a>(table: Table<'a, (Of, &'a Risk)>) -> Table<'a, (Of, &
     let table = numbered(table, ["return_period_years", "Once in", "years"], years, of(AnnualFrequency::return_period));
     let in_years = of(|one| one.probability_in(YEARS));
     numbered(table, ["probability_in_50_years", "In 50 years", ""], percent, in_years)
+}
+
+/// A number with three significant digits, without zeros at its end: fragilities are known to one or two.
+fn three(value: f64) -> String {
+    digits(format!("{value:.2e}").parse().unwrap_or(value))
 }
 
 /// Bounds in parentheses, after a blank; empty if there are none.
@@ -390,7 +406,7 @@ fn says_without_bounds(state: State, risk: &Risk) -> Option<String> {
     drawn.bounds(|one| one.median).is_none().then(|| {
         format!(
             "{} has no bounds: {without} of {} draws of the events determine no fragility; take more events or intensities",
-            state.name(),
+            state.shown(),
             drawn.draws
         )
     })

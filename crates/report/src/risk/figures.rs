@@ -67,7 +67,7 @@ fn fragilities(report: &RiskReport<'_>) -> Option<Figure> {
                 curves.push(if end == 0 { bound.named("95 % bounds") } else { bound });
             }
         }
-        curves.push(Curve::new(CurveKind::Line, shade, curve(&|im| Some(fragility.probability(im)))).named(state.name()));
+        curves.push(Curve::new(CurveKind::Line, shade, curve(&|im| Some(fragility.probability(im)))).named(state.shown()));
         curves.push(Curve::new(CurveKind::Points, shade, shares(risk)));
     }
     curves.retain(|curve| !curve.points.is_empty());
@@ -114,9 +114,10 @@ fn responses(report: &RiskReport<'_>) -> Option<Figure> {
         curves.push(Curve::new(CurveKind::Dashed, Shade::Vermilion, ends).named(name));
     }
     curves.retain(|curve| !curve.points.is_empty());
+    let largest = curves.iter().flat_map(|curve| &curve.points).map(|point| point.1).fold(0.0, f64::max);
     let panel = Panel {
         legend: Legend::Above,
-        ..Panel::shared("", Axis::auto(words.label), curves)
+        ..Panel::shared("", Axis::over(words.label, 0.0, 1.05 * largest), curves)
     };
     Some(Figure::grid(HEIGHT, 1, intensities(report), vec![panel]))
 }
