@@ -9,8 +9,8 @@ use pounding_text::{Refused, digits};
 use crate::scaling::{DAMPING, PLACE, accelerations, unscaled};
 use crate::suite::SuiteMotion;
 
-/// A number that says how strong a motion is. Of a motion with a second horizontal component it is `RotD50`, the median over all directions, so
-/// that both have one intensity; of any other motion it is that of the motion itself.
+/// A number that says how strong a motion is. Two horizontal components of one recording have one intensity, `RotD50`, the median over all
+/// directions. Any other motion has its own.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum IntensityMeasure {
     /// Pseudo-spectral acceleration at this period \[s\], 5 % of damping.

@@ -48,8 +48,8 @@ impl Fragility {
     /// binomial and independent.
     ///
     /// # Errors
-    /// Refuses stripes that determine none: if no motion exceeds the state, or all do; if the intensity separates those that do from the others,
-    /// so that β → 0; if the share does not grow with the intensity; or if β ≥ [`Self::MOST_DISPERSION`].
+    /// Refuses stripes if no motion exceeds the state, or all do. Refuses motions that the intensity separates, for which β → 0 is most likely.
+    /// Refuses shares that do not grow with the intensity, and β ≥ [`Self::MOST_DISPERSION`].
     pub fn of(stripes: &Stripes) -> Result<FragilityFit, Refused> {
         let counts = stripes.counts();
         if let Some(reason) = undetermined(&counts) {
@@ -83,7 +83,7 @@ const PLACE: &str = "stripes";
 /// What determines a fragility.
 const PART: &str = "a part of the motions at two or more intensities";
 
-/// Says why counts determine no fragility; `None` if they do.
+/// Returns the reason why counts determine no fragility; `None` if they do.
 fn undetermined(counts: &[Count]) -> Option<Refused> {
     let n: f64 = counts.iter().map(|one| one.n).sum();
     let exceeding: f64 = counts.iter().map(|one| one.exceeding).sum();

@@ -160,7 +160,7 @@ impl HazardCurve {
 /// Place of a refusal.
 const PLACE: &str = "hazard";
 
-/// What points are.
+/// The numbers of a point in words.
 const ALLOWED: &str = "an intensity in g and a mean annual frequency, both > 0, intensities rising and frequencies falling";
 
 /// Whether a point may follow another one.
@@ -171,8 +171,9 @@ fn fits(last: Option<[f64; 2]>, [intensity, frequency]: [f64; 2]) -> bool {
 
 /// A power law H = H₁ (x/x₁)^−k between two points.
 ///
-/// With z = ln(x/θ)/β and y = z + kβ, parts give ∫ P |dH| = −[H P] + ∫ H dP, and ∫ H dP = H₀ [Φ(y)] with H₀ = H(x) φ(z)/φ(y) at any x. From an x
-/// to infinity that is H φ(z) R(y) with Mills' ratio R, and from zero to x it is H φ(z) R(−y): neither overflows.
+/// Integration by parts gives ∫ P |dH| = −[H P] + ∫ H dP. With z = ln(x/θ)/β and y = z + kβ, H φ(z)/φ(y) does not depend on x. It is the
+/// factor of Φ(y) in ∫ H dP. From x to infinity this integral is H φ(z) R(y) with Mills' ratio R, and from zero to x it is H φ(z) R(−y):
+/// neither overflows.
 #[derive(Debug, Clone, Copy)]
 struct Segment {
     from: [f64; 2],

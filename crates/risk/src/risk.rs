@@ -7,7 +7,7 @@ use crate::fragility::{Fragility, FragilityFit};
 use crate::hazard::{AnnualFrequency, HazardCurve};
 use crate::stripe::Stripes;
 
-/// What stripes tell of a state, and with a hazard curve how often it is reached.
+/// The fragility of a state, and with a hazard curve its annual frequency.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Risk {
     /// The stripes.

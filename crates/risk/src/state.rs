@@ -71,7 +71,7 @@ impl State {
         }
     }
 
-    /// What motions do that reach the state, after "the motions".
+    /// The verb of a sentence about motions that reach the state, as in "the motions touch".
     pub fn words(self) -> String {
         match self {
             Self::Touch(None) => "touch".into(),

@@ -1,4 +1,4 @@
-//! A row under motions of several intensities: scaled to each of them, or of each intensity a folder of its own. Both are sweeps.
+//! A row under motions of several intensities, as sweeps. Motions are scaled to each intensity, or each intensity has other motions.
 
 use std::path::Path;
 
@@ -28,11 +28,11 @@ pub enum StripeMotions {
         /// Intensities \[g\], > 0, rising.
         intensities: Vec<f64>,
     },
-    /// Every intensity \[g\], > 0, rising, has motions of its own, which are as strong as in their files.
+    /// Every intensity \[g\], > 0, rising, has other motions, which are as strong as in their files.
     Own(Vec<(f64, Suite)>),
 }
 
-/// What is asked of a row under motions of several intensities.
+/// The questions to a row under motions of several intensities.
 #[derive(Debug, Clone, Copy)]
 pub struct StripesAsked<'a> {
     /// The row. Its record gives the processing, but neither the motion nor its scale.
@@ -191,7 +191,7 @@ impl StripesAsked<'_> {
         }
     }
 
-    /// The sweep of the row as it is.
+    /// The sweep of the row with its gaps.
     fn beside(&self) -> SweepFile {
         let asks = |of: fn(&State) -> bool| self.states.iter().any(of);
         let quantities = [

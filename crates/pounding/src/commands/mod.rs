@@ -75,7 +75,7 @@ enum Command {
     Merge(merge::Arguments),
     /// Find how wide gaps must be under a folder of records.
     Gap(gap::Arguments),
-    /// Find how often a row is pounded, from motions of several intensities.
+    /// Find how often a row touches, from records and a hazard curve.
     Ida(ida::Arguments),
     /// Write a scene as a script for OpenSees, to check this program.
     Export(export::Arguments),

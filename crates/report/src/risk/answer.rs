@@ -6,6 +6,7 @@ use pounding_text::{Answer, Cell, Grid, Table, Unit, Where, digits, percent, two
 use serde_json::{Value, json};
 
 use super::{Demand, RiskReport};
+use crate::SCHEMA_VERSION;
 use crate::folder::said_briefly;
 
 /// Years of the probability that is told.
@@ -42,6 +43,7 @@ impl<'a> RiskReport<'a> {
             .say(Where::FirstScreen, "Records", self.records(false))
             .say(Where::Details, "Records", self.records(true))
             .say(Where::Terminal, "Notes", self.notes())
+            .fact("schema_version", SCHEMA_VERSION)
             .fact("scene", json!(self.scene))
             .fact("intensity_measure", self.measure.map(|measure| measure.to_string()))
             .fact("gaps_m", json!(self.runs.gaps))
@@ -399,7 +401,7 @@ fn bounds(bounds: Option<[f64; 2]>, text: impl Fn(f64) -> String) -> String {
     bounds.map_or_else(String::new, |[low, high]| format!(" (95 %: {} to {})", text(low), text(high)))
 }
 
-/// Says why a fragility has no bounds.
+/// Warns of a fragility without bounds.
 fn says_without_bounds(state: State, risk: &Risk) -> Option<String> {
     let drawn = risk.drawn.as_ref()?;
     let without = drawn.draws - drawn.fragilities.len();

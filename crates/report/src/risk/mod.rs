@@ -10,7 +10,7 @@ use pounding_risk::{HazardCurve, Risk, State, StripeRuns};
 use pounding_scene::{Scene, parallel};
 use pounding_text::{Form, Refused};
 
-/// What a row does under motions of several intensities, and how often.
+/// The states of a row under motions of several intensities, and how often it reaches them.
 #[derive(Debug)]
 pub struct RiskReport<'a> {
     scene: &'a Scene,
@@ -26,7 +26,7 @@ pub struct RiskReport<'a> {
     by_gap: Vec<(f64, Risk)>,
 }
 
-/// What is asked of runs.
+/// The questions to runs.
 #[derive(Debug, Clone, Copy)]
 pub struct RiskAsked<'a> {
     /// The states; one or more.
