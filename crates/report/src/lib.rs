@@ -246,7 +246,9 @@ pub const FILES_OF_RECORDS: [&str; 3] = ["runs.csv", "runs.json", "runs.txt"];
 
 /// What tells a folder of results from any other.
 pub const RESULT_NAMES: ResultNames = ResultNames {
-    has: |name| Report::has_file(name) || AssessmentReport::has_file(name) || RiskReport::has_file(name) || FILES_OF_RECORDS.contains(&name),
+    has: |name| {
+        Report::has_file(name) || AssessmentReport::has_file(name) || RiskReport::has_file(name) || FILES_OF_RECORDS.contains(&name)
+    },
     marks: &[SUMMARY, FILES_OF_RECORDS[1], assessment::JSON, risk::JSON],
 };
 

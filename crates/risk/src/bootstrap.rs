@@ -103,7 +103,11 @@ impl Drawing {
                 exceeding += times * share;
             }
             let log_intensity = stripe.log_intensity;
-            (n > 0.0).then_some(Count { log_intensity, n, exceeding })
+            (n > 0.0).then_some(Count {
+                log_intensity,
+                n,
+                exceeding,
+            })
         };
         self.stripes.iter().filter_map(count).collect()
     }

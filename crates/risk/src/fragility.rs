@@ -93,7 +93,9 @@ fn undetermined(counts: &[Count]) -> Option<Refused> {
     };
     let whole = |share: &str, to: &Count, help: &str| {
         let found = format!("{share} of the motions from {} to {} g", in_g(first), in_g(last));
-        let found = Refused::at(PLACE).found(found).allowed_is("a part of them at two or more intensities");
+        let found = Refused::at(PLACE)
+            .found(found)
+            .allowed_is("a part of them at two or more intensities");
         found.help(format!("{help} intensities than {} g", in_g(to)))
     };
     if exceeding <= 0.0 {
@@ -108,7 +110,10 @@ fn undetermined(counts: &[Count]) -> Option<Refused> {
     if least.log_intensity >= most.log_intensity {
         let (found, around) = if least.log_intensity > most.log_intensity {
             let [none, all] = [most, least].map(in_g);
-            (format!("the state under no motion up to {none} g and under all from {all} g"), "them")
+            (
+                format!("the state under no motion up to {none} g and under all from {all} g"),
+                "them",
+            )
         } else {
             (format!("the state under a part of the motions at {} g alone", in_g(least)), "it")
         };
@@ -237,7 +242,10 @@ impl Probit {
         let by_level = solved(information.curvature, [1.0, 0.0])?;
         let by_slope = solved(information.curvature, [0.0, 1.0])?;
         let of = |one: [f64; 2], other: [f64; 2]| {
-            let turned = [by_level[0] * other[0] + by_slope[0] * other[1], by_level[1] * other[0] + by_slope[1] * other[1]];
+            let turned = [
+                by_level[0] * other[0] + by_slope[0] * other[1],
+                by_level[1] * other[0] + by_slope[1] * other[1],
+            ];
             one[0] * turned[0] + one[1] * turned[1]
         };
         let log_median = [-self.slope.recip(), self.level / (self.slope * self.slope)];

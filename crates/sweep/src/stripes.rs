@@ -311,7 +311,9 @@ fn numbers(sweep: &Sweep, part: &Part<'_>, n_runs: usize, watched: Watched<'_>) 
         }
         let batch = sweep.batch(index * piece..((index + 1) * piece).min(sweep.n_runs()));
         let numbers: Found = (0..batch.failed.len()).map(|run| sweep.numbers_of(&batch, run)).collect();
-        numbers.iter().for_each(|_| (watched.step)(n_runs));
+        for _ in &numbers {
+            (watched.step)(n_runs);
+        }
         numbers
     });
     if sweep.is_stopped() {

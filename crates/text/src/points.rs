@@ -16,7 +16,11 @@ pub struct CurveWords<'w> {
 ///
 /// # Errors
 /// Refuses the first line that is not a point, or that does not fit.
-pub fn curve_points(text: &str, words: CurveWords<'_>, fits: impl Fn(Option<[f64; 2]>, [f64; 2]) -> bool) -> Result<Vec<[f64; 2]>, Refused> {
+pub fn curve_points(
+    text: &str,
+    words: CurveWords<'_>,
+    fits: impl Fn(Option<[f64; 2]>, [f64; 2]) -> bool,
+) -> Result<Vec<[f64; 2]>, Refused> {
     let mut points: Vec<[f64; 2]> = Vec::new();
     for (index, line) in text.lines().enumerate() {
         let fields: Vec<&str> = line.split([',', ';', ' ', '\t']).filter(|field| !field.is_empty()).collect();

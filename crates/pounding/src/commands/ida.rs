@@ -27,6 +27,9 @@ folder of motions of its own, as strong as in their files (--stripe). The
 fragility is the lognormal one of most likelihood of the share of events at each
 intensity. The hazard curve is a CSV file: intensity in g, mean annual frequency.";
 
+/// Help of `--im`.
+const MEASURES: &str = "Intensity of a motion: pga, sa(0.8) or sa_avg(0.2..2); by default sa of the longest first period of the row";
+
 /// The arguments of `ida`.
 #[derive(Debug, clap::Args)]
 #[command(after_help = EXAMPLES)]
@@ -40,9 +43,7 @@ pub(crate) struct Arguments {
     /// An intensity [g] and a folder of records of that intensity; once for each.
     #[arg(long, value_name = "IM=FOLDER", value_parser = stripe)]
     stripe: Vec<(f64, PathBuf)>,
-    /// Intensity of a motion: pga, sa(0.8) or sa_avg(0.2..2); by default sa of the
-    /// longest first period of the row.
-    #[arg(long, value_name = "MEASURE", conflicts_with = "stripe", value_parser = IntensityMeasure::from_str)]
+    #[arg(long, help = MEASURES, value_name = "MEASURE", conflicts_with = "stripe", value_parser = IntensityMeasure::from_str)]
     im: Option<IntensityMeasure>,
     /// Intensities [g]; by default 16 from 0.05 to 2.
     #[arg(long, value_name = "LIST", value_delimiter = ',', value_parser = super::positive, conflicts_with = "stripe")]
@@ -106,14 +107,7 @@ fn stripe(text: &str) -> Result<(f64, PathBuf), String> {
 pub(crate) fn run(args: &Arguments) -> Result<String, Failure> {
     let path = &args.scene;
     let message = |error: Error| Refused::from(error.in_file(path));
-    let folders: Vec<&PathBuf> = args.records.iter().chain(args.stripe.iter().map(|one| &one.1)).collect();
-    let out = args.out.as_ref().map(|out| Out::open(out, args.overwrite)).transpose()?;
-    if let Some(out) = &out {
-        let read = folders.iter().flat_map(|folder| super::inputs_in(folder));
-        let read: Vec<PathBuf> = read.chain([path.clone()]).chain(args.hazard.clone()).collect();
-        out.keep(&read)?;
-        folders.iter().try_for_each(|folder| out.apart_from(folder))?;
-    }
+    let out = args.open()?;
     let scene: Scene = super::read(path).map_err(message)?;
     let any_record = Scene {
         duration_s: None,
@@ -180,6 +174,20 @@ fn hazard(path: &Path) -> Result<HazardCurve, Refused> {
 }
 
 impl Arguments {
+    /// Takes the folder of `--out`; `None` if none is asked for.
+    fn open(&self) -> Result<Option<Out>, Refused> {
+        let Some(out) = &self.out else {
+            return Ok(None);
+        };
+        let out = Out::open(out, self.overwrite)?;
+        let folders: Vec<&PathBuf> = self.records.iter().chain(self.stripe.iter().map(|one| &one.1)).collect();
+        let read = folders.iter().flat_map(|folder| super::inputs_in(folder));
+        let read: Vec<PathBuf> = read.chain([self.scene.clone()]).chain(self.hazard.clone()).collect();
+        out.keep(&read)?;
+        folders.iter().try_for_each(|folder| out.apart_from(folder))?;
+        Ok(Some(out))
+    }
+
     /// How the intensity of motions is measured; `None` if each intensity has a folder.
     fn measure(&self, scene: &Scene, with_hazard: bool) -> Result<Option<IntensityMeasure>, Refused> {
         if !self.stripe.is_empty() || self.im.is_some() {
@@ -207,7 +215,9 @@ impl Arguments {
             let mut all = self.stripe.clone();
             all.sort_by(|one, other| one.0.total_cmp(&other.0));
             rising(&all.iter().map(|one| one.0).collect::<Vec<_>>(), "--stripe")?;
-            let read = all.into_iter().map(|(intensity, folder)| Ok((intensity, suite::read(&folder, &self.declared, scene)?)));
+            let read = all
+                .into_iter()
+                .map(|(intensity, folder)| Ok((intensity, suite::read(&folder, &self.declared, scene)?)));
             return Ok(StripeMotions::Own(read.collect::<Result<_, Refused>>()?));
         };
         let mut intensities = self.stripes.clone();

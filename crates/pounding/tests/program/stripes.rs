@@ -55,7 +55,18 @@ fn json_of(folder: &Path, arguments: &[&str]) -> Value {
 #[test]
 fn reference_the_frequency_of_touching() {
     let folder = with_records("ida");
-    let asked = ["ida", "towers.toml", "--records", "records", "--im", "sa(0.8)", "--hazard", "hazard.csv", "--n", "12"];
+    let asked = [
+        "ida",
+        "towers.toml",
+        "--records",
+        "records",
+        "--im",
+        "sa(0.8)",
+        "--hazard",
+        "hazard.csv",
+        "--n",
+        "12",
+    ];
     let asked = [&asked[..], &["--from", "0.1", "--to", "0.5", "--gaps", "0.02,0.04"]].concat();
     assert_snapshot!(printed(&pounding(&folder, &asked)));
     let json = json_of(&folder, &asked);
@@ -76,7 +87,16 @@ fn reference_the_frequency_of_touching() {
 #[test]
 fn reference_the_folder_of_stripes() {
     let folder = with_records("ida-out");
-    let asked = ["ida", "towers.toml", "--records", "records", "--im", "sa(0.8)", "--hazard", "hazard.csv"];
+    let asked = [
+        "ida",
+        "towers.toml",
+        "--records",
+        "records",
+        "--im",
+        "sa(0.8)",
+        "--hazard",
+        "hazard.csv",
+    ];
     let asked = [&asked[..], &["--state", "touch,force=3e5", "--both", "--out", "out"]].concat();
     let text = printed(&pounding(&folder, &asked)).to_owned();
     assert!(text.contains("force > 300 kN"), "{text}");
@@ -87,8 +107,16 @@ fn reference_the_folder_of_stripes() {
         .collect();
     names.sort();
     let wanted = [
-        "contributions.png", "contributions.svg", "fragility.png", "fragility.svg", "ida-curves.png", "ida-curves.svg", "ida.csv",
-        "ida.json", "ida.txt", "stripes.csv",
+        "contributions.png",
+        "contributions.svg",
+        "fragility.png",
+        "fragility.svg",
+        "ida-curves.png",
+        "ida-curves.svg",
+        "ida.csv",
+        "ida.json",
+        "ida.txt",
+        "stripes.csv",
     ];
     assert_eq!(names, wanted);
     let read = |name: &str| fs::read_to_string(folder.join("out").join(name)).expect(name);
@@ -96,7 +124,10 @@ fn reference_the_folder_of_stripes() {
         read("ida.csv").lines().next(),
         Some("record,reversed,event,intensity_g,scale,gap_1_required_m,touch,force=300000,peak_force_n,failed")
     );
-    assert_eq!(read("stripes.csv").lines().next(), Some("state,intensity_g,events,exceeding,share,fitted"));
+    assert_eq!(
+        read("stripes.csv").lines().next(),
+        Some("state,intensity_g,events,exceeding,share,fitted")
+    );
     // 14 motions in two directions at 16 intensities.
     assert_eq!(read("ida.csv").lines().count(), 1 + 14 * 2 * 16);
     // It is a folder of results: the same command writes it again.

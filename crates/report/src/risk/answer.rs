@@ -1,5 +1,6 @@
 //! The sentences and tables of stripes.
 
+use pounding_assess::Suite;
 use pounding_risk::{AnnualFrequency, Fragility, FragilityFit, Reached, Risk, State, Stripe, StripeMotion, StripeRun};
 use pounding_scene::Implausible;
 use pounding_text::{Answer, Cell, Grid, Table, Unit, Where, digits, percent, two_digits};
@@ -24,12 +25,7 @@ impl<'a> RiskReport<'a> {
             answer = answer.say(Where::Terminal, "Answer", self.result(*state, risk));
         }
         let named = |(state, risk): &'a (State, Risk)| (*state, risk);
-        let states = self.risks(Table::of(self.states.iter().map(named)).both(
-            "state",
-            "State",
-            |row| row.0.name(),
-            |row| row.0.shown(),
-        ));
+        let states = self.risks(Table::of(self.states.iter().map(named)).both("state", "State", |row| row.0.name(), |row| row.0.shown()));
         let of_gaps = Table::of(self.by_gap.iter().map(|(gap, risk)| (*gap, risk)));
         let gaps = self.risks(of_gaps.number("gap_m", "Gap", &Unit::GAP, |row| row.0));
         if several {
@@ -70,9 +66,9 @@ impl<'a> RiskReport<'a> {
             _ => String::new(),
         };
         let mut said = vec![format!(
-            "half of the motions {}{across} at {} = {} g{theta}; β = {}{beta}",
+            "half of the motions {}{across} at {}{} g{theta}; β = {}{beta}",
             state.words(),
-            self.measured(),
+            self.measure.map_or_else(String::new, |measure| format!("{measure} = ")),
             three(fragility.median),
             three(fragility.dispersion)
         )];
@@ -104,7 +100,11 @@ impl<'a> RiskReport<'a> {
             reached.map(|one| one.intensities)
         };
         let (from, to) = (at(0.25)?, at(0.75)?);
-        Some(format!("half of that comes from motions of {} to {} g", two_digits(from[0]), two_digits(to[1])))
+        Some(format!(
+            "half of that comes from motions of {} to {} g",
+            two_digits(from[0]),
+            two_digits(to[1])
+        ))
     }
 
     /// Adds the numbers of risks to a table.
@@ -120,7 +120,8 @@ impl<'a> RiskReport<'a> {
             }
         };
         let of_fit = |number: fn(&FragilityFit) -> f64| move |row: &(Of, &Risk)| Cell::exact(row.1.fit.as_ref().ok().map(number));
-        let (median, dispersion): (fn(&Fragility) -> f64, fn(&Fragility) -> f64) = (|one| one.median, |one| one.dispersion);
+        let median: fn(&Fragility) -> f64 = |one| one.median;
+        let dispersion: fn(&Fragility) -> f64 = |one| one.dispersion;
         let table = numbered(table, ["median_g", "θ", "g"], three, fragility(median))
             .column("median_low_g", ends(median, 0))
             .column("median_high_g", ends(median, 1))
@@ -211,8 +212,14 @@ impl<'a> RiskReport<'a> {
             .column("reversed", move |run| motion(run).reversed)
             .column("event", move |run| motion(run).event + 1)
             .column("intensity_g", move |run| Cell::exact(intensity(run)))
-            .column("scale", move |run| Cell::exact(motion(run).own_intensity.map(|own| intensity(run) / own)));
-        let has_required = self.runs.runs.iter().any(|run| run.found.as_ref().is_ok_and(|one| !one.required.is_empty()));
+            .column("scale", move |run| {
+                Cell::exact(motion(run).own_intensity.map(|own| intensity(run) / own))
+            });
+        let has_required = self
+            .runs
+            .runs
+            .iter()
+            .any(|run| run.found.as_ref().is_ok_and(|one| !one.required.is_empty()));
         let gaps = if has_required { self.runs.gaps.len() } else { 0 };
         let table = table.columns(
             0..gaps,
@@ -233,22 +240,24 @@ impl<'a> RiskReport<'a> {
             .column("failed", |run| run.found.as_ref().err().cloned())
     }
 
+    /// How many files became how many events, of each folder; of the only one, and with details, the remarks, too.
     fn records(&self, details: bool) -> Vec<String> {
-        let of = |(index, suite): (usize, &&pounding_assess::Suite)| {
-            let said = if details {
-                suite.said(true)
-            } else {
-                said_briefly(suite, "--details names every one")
-            };
-            let at = self.measure.is_none().then(|| format!("{} g: ", digits(self.runs.intensities[index])));
-            said.into_iter()
-                .map(move |line| format!("{}{line}", at.clone().unwrap_or_default()))
-                .collect::<Vec<_>>()
+        if let ([suite], false) = (&self.suites[..], details) {
+            return said_briefly(suite, "--details names every one");
+        }
+        let of = |(index, suite): (usize, &&Suite)| {
+            let at = self
+                .measure
+                .is_none()
+                .then(|| format!("{} g: ", digits(self.runs.intensities[index])));
+            let said = if details { suite.said(true) } else { vec![suite.counts()] };
+            let line = move |line: String| format!("{}{line}", at.as_deref().unwrap_or_default());
+            said.into_iter().map(line).collect::<Vec<_>>()
         };
         self.suites.iter().enumerate().flat_map(of).collect()
     }
 
-    /// What may be wrong with the answer.
+    /// Faults that the answer may have.
     fn warnings(&self) -> Vec<String> {
         let mut said = Vec::new();
         let failed: Vec<_> = self.runs.failed().collect();
@@ -271,8 +280,13 @@ impl<'a> RiskReport<'a> {
         }
         // The refusal of the first state is that of the command.
         let others = self.states.iter().skip(1).map(|(state, risk)| (state.shown(), risk));
-        let gaps = self.by_gap.iter().map(|(gap, risk)| (format!("a gap of {} mm", digits(gap * 1e3)), risk));
-        let refused = others.chain(gaps).filter_map(|(name, risk)| Some(format!("{name}: {}", risk.refused()?)));
+        let gaps = self
+            .by_gap
+            .iter()
+            .map(|(gap, risk)| (format!("a gap of {} mm", digits(gap * 1e3)), risk));
+        let refused = others
+            .chain(gaps)
+            .filter_map(|(name, risk)| Some(format!("{name}: {}", risk.refused()?)));
         said.extend(refused);
         said.extend(self.states.iter().filter_map(|(state, risk)| self.says_beyond(*state, risk)));
         said.extend(self.states.iter().filter_map(|(state, risk)| says_without_bounds(*state, risk)));
@@ -372,7 +386,12 @@ fn numbered<'a, Of: 'a>(
     text: fn(f64) -> String,
     number: impl Fn(&Of) -> Option<f64> + Copy + 'a,
 ) -> Table<'a, Of> {
-    table.both(name, (heading, unit), move |row| Cell::exact(number(row)), move |row| number(row).map(text))
+    table.both(
+        name,
+        (heading, unit),
+        move |row| Cell::exact(number(row)),
+        move |row| number(row).map(text),
+    )
 }
 
 /// Adds how often states are reached.
@@ -386,7 +405,12 @@ fn frequencies<'a, Of: 'a>(table: Table<'a, (Of, &'a Risk)>) -> Table<'a, (Of, &
         .column("annual_frequency_high_per_year", end(1))
         .column("part_below_the_curve", exact(|one| one.beyond[0]))
         .column("part_above_the_curve", exact(|one| one.beyond[1]));
-    let table = numbered(table, ["return_period_years", "Once in", "years"], years, of(AnnualFrequency::return_period));
+    let table = numbered(
+        table,
+        ["return_period_years", "Once in", "years"],
+        years,
+        of(AnnualFrequency::return_period),
+    );
     let in_years = of(|one| one.probability_in(YEARS));
     numbered(table, ["probability_in_50_years", "In 50 years", ""], percent, in_years)
 }

@@ -92,7 +92,9 @@ fn responses(report: &RiskReport<'_>) -> Option<Figure> {
     if report.runs.same_events {
         let of_motions = report.runs.runs.chunk_by(|one, other| one.motion == other.motion);
         curves.extend(of_motions.map(|runs| {
-            let points = runs.iter().filter_map(|run| Some((report.runs.intensities[run.stripe], demand(run)?)));
+            let points = runs
+                .iter()
+                .filter_map(|run| Some((report.runs.intensities[run.stripe], demand(run)?)));
             Curve::new(CurveKind::Thin, Shade::Grey, points.collect())
         }));
     } else {
@@ -100,7 +102,11 @@ fn responses(report: &RiskReport<'_>) -> Option<Figure> {
         let points = runs.filter_map(|run| Some((report.runs.intensities[run.stripe], demand(run)?)));
         curves.push(Curve::new(CurveKind::Points, Shade::Grey, points.collect()));
     }
-    for (part, kind, name) in [(0.16, CurveKind::Dashed, Some("16 and 84 %")), (0.84, CurveKind::Dashed, None), (0.5, CurveKind::Line, Some("median"))] {
+    for (part, kind, name) in [
+        (0.16, CurveKind::Dashed, Some("16 and 84 %")),
+        (0.84, CurveKind::Dashed, None),
+        (0.5, CurveKind::Line, Some("median")),
+    ] {
         let curve = Curve::new(kind, Shade::Blue, quantiles(report, state, &words, part));
         curves.push(Curve {
             label: name.map(String::from),
@@ -114,7 +120,11 @@ fn responses(report: &RiskReport<'_>) -> Option<Figure> {
         curves.push(Curve::new(CurveKind::Dashed, Shade::Vermilion, ends).named(name));
     }
     curves.retain(|curve| !curve.points.is_empty());
-    let largest = curves.iter().flat_map(|curve| &curve.points).map(|point| point.1).fold(0.0, f64::max);
+    let largest = curves
+        .iter()
+        .flat_map(|curve| &curve.points)
+        .map(|point| point.1)
+        .fold(0.0, f64::max);
     let panel = Panel {
         legend: Legend::Above,
         ..Panel::shared("", Axis::over(words.label, 0.0, 1.05 * largest), curves)

@@ -30,8 +30,14 @@ fn reference_the_frequency_of_a_power_law() {
 fn extreme_curves_that_are_refused() {
     let parse = |text: &str| HazardCurve::parse(text).expect_err("refused").to_string();
     let allowed = "allowed are an intensity in g and a mean annual frequency, both > 0, intensities rising and frequencies falling";
-    assert_eq!(parse("im_g,frequency\n0.1,0.01\n0.2,0.01\n"), format!("hazard: line 3: found \"0.2,0.01\", {allowed}"));
-    assert_eq!(parse("0.2 0.01\n0.1 0.001\n"), format!("hazard: line 2: found \"0.1 0.001\", {allowed}"));
+    assert_eq!(
+        parse("im_g,frequency\n0.1,0.01\n0.2,0.01\n"),
+        format!("hazard: line 3: found \"0.2,0.01\", {allowed}")
+    );
+    assert_eq!(
+        parse("0.2 0.01\n0.1 0.001\n"),
+        format!("hazard: line 2: found \"0.1 0.001\", {allowed}")
+    );
     assert_eq!(parse("0 0.01\n"), format!("hazard: line 1: found \"0 0.01\", {allowed}"));
     assert_eq!(
         parse("0.1;0.01\n"),

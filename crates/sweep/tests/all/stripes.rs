@@ -25,7 +25,9 @@ fn records(folder: &Path) -> PathBuf {
             let time = 0.02 * f64::from(step);
             libm::exp(-0.4 * time) * (libm::sin(rate * time) + 0.7 * libm::sin((2.3 * rate + 1.0) * time))
         };
-        let rows: Vec<String> = (0..300).map(|step| format!("{:.2},{:.6}", 0.02 * f64::from(step), sample(step))).collect();
+        let rows: Vec<String> = (0..300)
+            .map(|step| format!("{:.2},{:.6}", 0.02 * f64::from(step), sample(step)))
+            .collect();
         let text = format!("time_s,acceleration_m_per_s2\n{}\n", rows.join("\n"));
         fs::write(records.join(format!("{name}.csv")), text).expect("a file");
     }
@@ -110,7 +112,12 @@ fn limit_a_run_is_that_of_a_scene_with_a_scale() {
     let found = run(&two, &scaled(suite.clone(), IntensityMeasure::Pga), &[State::Touch(None)]).expect("runs");
     let own: Vec<f64> = found.motions.iter().filter_map(|one| one.own_intensity).collect();
     assert_eq!(own[0].to_bits(), own[2].to_bits(), "both components of a");
-    let peak = suite.motions[2].origin().file.values().iter().fold(0.0_f64, |peak, one| peak.max(one.abs()));
+    let peak = suite.motions[2]
+        .origin()
+        .file
+        .values()
+        .iter()
+        .fold(0.0_f64, |peak, one| peak.max(one.abs()));
     assert!((own[4] * 9.80665 / peak - 1.0).abs() < 1e-12, "the peak of b");
     for run in found.runs.iter().filter(|run| !found.motions[run.motion].reversed) {
         let motion = &suite.motions[run.motion / 2];
@@ -152,7 +159,13 @@ fn limit_a_collapse_is_a_state_of_its_own() {
     assert!(first.exceeding() <= 0.0 && last.exceeding() > 0.0, "{counted:?}");
     // What collapses drifts far.
     let drifts = found.stripes_of(State::Drift(0.01));
-    assert!(drifts.all.iter().zip(&counted.all).all(|(drift, fallen)| drift.exceeding() >= fallen.exceeding()));
+    assert!(
+        drifts
+            .all
+            .iter()
+            .zip(&counted.all)
+            .all(|(drift, fallen)| drift.exceeding() >= fallen.exceeding())
+    );
 }
 
 /// Motions of their own have events of their own at each intensity, and are not scaled.
@@ -179,7 +192,10 @@ fn extreme_what_no_run_tells_is_refused() {
         refused(&apart, State::Touch(None)),
         "contacts: found none, allowed are one or more: what stands apart does not touch"
     );
-    assert_eq!(refused(&json!({}), State::Touch(Some(1))), "state: found touch=2, allowed are gaps 1 to 1");
+    assert_eq!(
+        refused(&json!({}), State::Touch(Some(1))),
+        "state: found touch=2, allowed are gaps 1 to 1"
+    );
     assert_eq!(
         refused(&impulsive, State::Force(1e6)),
         "state: found a force of a law that has impulses alone, allowed is a compliant law; choose one with `pounding laws`"
