@@ -16,7 +16,7 @@ use source::Source;
 /// Folders of the crates in storeys, from the ground up: a crate may use crates below its storey.
 const CRATES: [&[&str]; 9] = [
     &["crates/files", "crates/text"],
-    &["crates/contact", "crates/motion", "crates/plot"],
+    &["crates/contact", "crates/motion", "crates/plot", "crates/risk"],
     &["crates/solver"],
     &["crates/lanes", "crates/reference", "crates/scene"],
     &["crates/assess"],

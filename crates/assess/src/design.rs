@@ -5,7 +5,7 @@ use std::path::Path;
 use std::str::FromStr;
 
 use pounding_scene::STANDARD_GRAVITY;
-use pounding_text::{Refused, digits, short};
+use pounding_text::{CurveWords, Refused, curve_points, digits, short};
 
 /// A spectrum of accelerations.
 #[derive(Debug, Clone, PartialEq)]
@@ -124,35 +124,14 @@ impl DesignSpectrum {
     /// # Errors
     /// Refuses the first line that is not a point, and a file without points.
     pub fn table(text: &str) -> Result<Self, Refused> {
-        let mut points: Vec<[f64; 2]> = Vec::new();
-        for (index, line) in text.lines().enumerate() {
-            let fields: Vec<&str> = line.split([',', ';', ' ', '\t']).filter(|field| !field.is_empty()).collect();
-            let numbers: Vec<f64> = fields.iter().filter_map(|field| field.parse().ok()).collect();
-            let words = index == 0 && numbers.is_empty();
-            if fields.is_empty() || words || line.starts_with('#') {
-                continue;
-            }
-            let rises = |point: &[f64]| points.last().is_none_or(|last| point[0] > last[0]);
-            match numbers[..] {
-                [period, acceleration]
-                    if fields.len() == 2 && period >= 0.0 && acceleration > 0.0 && acceleration.is_finite() && rises(&numbers) =>
-                {
-                    points.push([period, acceleration]);
-                }
-                _ => {
-                    let found: String = line.chars().take(60).collect();
-                    let line = Refused::at(in_target(&format!("line {}", index + 1)));
-                    return Err(match with_points(&found) {
-                        Some(right) => line
-                            .found(format!("\"{found}\" with decimal commas"))
-                            .allowed_are(format!("decimal points: \"{right}\"")),
-                        None => line
-                            .found(format!("\"{found}\""))
-                            .allowed_are("a period in s and an acceleration in g, periods rising"),
-                    });
-                }
-            }
-        }
+        let words = CurveWords {
+            place: "target",
+            allowed: "a period in s and an acceleration in g, periods rising",
+        };
+        let rises = |last: Option<[f64; 2]>, [period, acceleration]: [f64; 2]| {
+            period >= 0.0 && acceleration > 0.0 && last.is_none_or(|[before, _]| period > before)
+        };
+        let points = curve_points(text, words, rises)?;
         if points.is_empty() {
             return Err(unknown("a file without numbers"));
         }
@@ -244,14 +223,6 @@ impl fmt::Display for DesignSpectrum {
             }
         }
     }
-}
-
-/// Rewrites a line of two numbers with decimal commas, separated by a semicolon or blanks, with decimal points; `None` for any other line.
-fn with_points(line: &str) -> Option<String> {
-    let fields: Vec<&str> = line.split([';', ' ', '\t']).filter(|field| !field.is_empty()).collect();
-    let numbers: Vec<String> = fields.iter().map(|one| one.replacen(',', ".", 1)).collect();
-    let are_numbers = numbers.iter().all(|one| one.parse::<f64>().is_ok());
-    (numbers.len() == 2 && are_numbers && line.contains(',')).then(|| numbers.join("; "))
 }
 
 /// Value of a table at a period, linear between its points.

@@ -34,6 +34,7 @@
 //! - [`MotionLines::of`]: runs of a scene under all motions.
 //! - [`AssessedRun::of`]: one motion and one direction; [`Assessment::of`] sums up many.
 //! - [`Rule`]: widths of gaps by codes and literature; [`Scaling`]: how strong records are made.
+//! - [`IntensityMeasure::of`]: how strong a motion is.
 //! - [`Bumper::proposed`]: bumpers for the gaps that close, and [`BumperEffect`] for what they change.
 
 mod alone;
@@ -43,6 +44,7 @@ mod bumper_effect;
 mod design;
 mod distribution;
 mod effects;
+mod intensity;
 mod peaks;
 mod raise;
 mod rule;
@@ -59,6 +61,7 @@ pub use bumper_effect::{BumperCase, BumperEffect, BumperHarm, FloorBumperEffect,
 pub use design::{DesignSpectrum, Eurocode8Ground};
 pub use distribution::{Case, Distribution, wilson, wilson_of};
 pub use effects::{Effect, Effects, FloorEffects, FloorFact, Known};
+pub use intensity::IntensityMeasure;
 pub use peaks::FloorPeaks;
 pub use rule::{Rule, RuleWords};
 pub use run::{AssessedFloor, AssessedPair, AssessedRun, StiffnessFactors, beyond_belief, says_believed};

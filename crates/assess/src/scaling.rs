@@ -272,7 +272,8 @@ impl Scaling {
     }
 }
 
-fn unscaled(record: &RecordUse) -> RecordUse {
+/// The use of a record without its scale.
+pub(crate) fn unscaled(record: &RecordUse) -> RecordUse {
     RecordUse {
         scale_to: None,
         scale: 1.0,
@@ -288,10 +289,10 @@ fn ends_of(scene: &Scene) -> [f64; 2] {
 }
 
 /// Field of the scene that scales a record.
-const PLACE: &str = "record.scale";
+pub(crate) const PLACE: &str = "record.scale";
 
 /// The spectrum of a record at some periods \[m/s²\].
-fn accelerations(record: &Record, periods: &[f64], scene: &Scene) -> Result<Vec<f64>, Error> {
+pub(crate) fn accelerations(record: &Record, periods: &[f64], scene: &Scene) -> Result<Vec<f64>, Error> {
     let found = response_spectrum(record, periods, DAMPING).map_err(|refused| Error::in_scene(&scene.name, refused.in_field(PLACE)))?;
     Ok(found.iter().map(|one| one.pseudo_acceleration).collect())
 }

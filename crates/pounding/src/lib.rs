@@ -29,6 +29,7 @@
 //! | [`scene`] | scenes as TOML and JSON: read, checked, run, judged | folders of records, sweeps, figures |
 //! | [`assess`] | a row under many records: effects of pounding, required gaps | sweeps, figures |
 //! | [`sweep`] | one scene over many values | figures |
+//! | [`risk`] | fragilities and annual frequencies | structures, records |
 //! | [`plot`] | figures as data, drawn to SVG and PNG | mechanics |
 //! | [`report`] | a run or an assessment as an answer and as a folder | sweeps |
 //! | [`files`] | files written whole and durably, read within bounds, locked | what they hold |
@@ -50,6 +51,7 @@ pub use pounding_files as files;
 pub use pounding_motion as motion;
 pub use pounding_plot as plot;
 pub use pounding_report as report;
+pub use pounding_risk as risk;
 pub use pounding_scene as scene;
 pub use pounding_solver as solver;
 pub use pounding_sweep as sweep;

@@ -29,6 +29,7 @@
 //! - [`Report::files`]: the list of files and what each holds.
 //! - [`Summary`]: every number of a run under its name with its unit; `summary.json` reads back into it.
 //! - [`AssessmentReport`]: the folder of a row under many records.
+//! - [`RiskReport`]: the folder of a row under motions of several intensities.
 //! - `page/` and `figures/` in the source: the parts of `report.html`.
 
 mod advice;
@@ -50,6 +51,7 @@ mod not_modelled;
 mod opensees;
 mod page;
 mod player;
+mod risk;
 mod row;
 mod rules;
 mod sampling;
@@ -84,6 +86,7 @@ pub use player::Player;
 use pounding_assess::Effects;
 use pounding_files::ResultNames;
 use pounding_scene::{Error, Review, RunResult, Simulation};
+pub use risk::{RiskAsked, RiskReport};
 use sampling::Sampling;
 pub use shown::{InWords, tables};
 pub use site::{Site, SitedNumber};
@@ -257,8 +260,10 @@ pub const FILES_OF_RECORDS: [&str; 3] = ["runs.csv", "runs.json", "runs.txt"];
 
 /// What tells a folder of results from any other.
 pub const RESULT_NAMES: ResultNames = ResultNames {
-    has: |name| Report::has_file(name) || AssessmentReport::has_file(name) || FILES_OF_RECORDS.contains(&name),
-    marks: &[SUMMARY, FILES_OF_RECORDS[1], assessment::JSON],
+    has: |name| {
+        Report::has_file(name) || AssessmentReport::has_file(name) || RiskReport::has_file(name) || FILES_OF_RECORDS.contains(&name)
+    },
+    marks: &[SUMMARY, FILES_OF_RECORDS[1], assessment::JSON, risk::JSON],
 };
 
 const HISTORY: &str = "history.csv";

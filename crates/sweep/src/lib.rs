@@ -58,6 +58,7 @@ mod sampling;
 mod shard;
 mod side_by_side;
 mod spread;
+mod stripes;
 mod summary;
 mod summary_file;
 mod table;
@@ -79,11 +80,13 @@ pub use distribution::{LogNormal, Normal};
 pub use file::{Directions, Outputs, Records, SampleMethod, Samples, SceneOf, SweepFile, Vary, sweep_schema};
 pub use join::{Joined, beside_table, compresses, merge, summary_beside};
 use motions::Motions;
+pub use motions::ScaledSuite;
 use output::{Output, RowShape};
 pub use parts::Parts;
 use plan::{Plan, Setting, placed, varies_method};
 pub use shard::Shard;
 pub use spread::{Between, Grid, Spacing, Spread};
+pub use stripes::{StripeMotions, StripesAsked};
 pub use summary::{Exceedance, SummaryTable, SummedCell, SummedColumn};
 pub use summary_file::Summary;
 
@@ -126,6 +129,17 @@ pub struct Sweep {
     choosing: Option<Choosing>,
 }
 
+/// A sweep in words, and what they stand for.
+#[derive(Clone, Copy)]
+struct SweepWords<'a> {
+    file: &'a SweepFile,
+    /// The file as read.
+    bytes: &'a [u8],
+    path: &'a Path,
+    /// Motions in place of those of the file.
+    given: Option<&'a ScaledSuite>,
+}
+
 /// The scene of a sweep as read.
 struct Read {
     scene: Value,
@@ -156,7 +170,13 @@ impl Sweep {
     ) -> Result<Self, Refused> {
         let bytes = pounding_scene::file::bytes(path).map_err(|error| Refused::unreadable(path, &error))?;
         let file = SweepFile::parse(&bytes, path)?;
-        Self::followed(&file, &bytes, path, stop, Choosing::new(told)).map_err(|refused| {
+        let of = SweepWords {
+            file: &file,
+            bytes: &bytes,
+            path,
+            given: None,
+        };
+        Self::followed(&of, stop, Choosing::new(told)).map_err(|refused| {
             let is_stopped = refused.is_kind(RefusalKind::Stopped);
             if is_stopped { refused } else { in_file(refused, path) }
         })
@@ -170,16 +190,31 @@ impl Sweep {
     /// # Panics
     /// Never: a budget is numbers and their names, which JSON holds.
     pub fn of(file: &SweepFile, bytes: &[u8], path: &Path, stop: Option<&'static AtomicBool>) -> Result<Self, Refused> {
-        Self::followed(file, bytes, path, stop, Choosing::new(|_, _| {}))
+        let of = SweepWords {
+            file,
+            bytes,
+            path,
+            given: None,
+        };
+        Self::followed(&of, stop, Choosing::new(|_, _| {}))
     }
 
-    fn followed(
-        file: &SweepFile,
-        bytes: &[u8],
-        path: &Path,
-        stop: Option<&'static AtomicBool>,
-        choosing: Choosing,
-    ) -> Result<Self, Refused> {
+    /// Makes a sweep under motions that were read before. Its scene is inline, or in a file seen from the folder of `path`.
+    ///
+    /// # Errors
+    /// Those of [`Self::read`], without the name of the file.
+    pub fn under(file: &SweepFile, path: &Path, given: &ScaledSuite, stop: Option<&'static AtomicBool>) -> Result<Self, Refused> {
+        let of = SweepWords {
+            file,
+            bytes: &[],
+            path,
+            given: Some(given),
+        };
+        Self::followed(&of, stop, Choosing::new(|_, _| {}))
+    }
+
+    fn followed(of: &SweepWords<'_>, stop: Option<&'static AtomicBool>, choosing: Choosing) -> Result<Self, Refused> {
+        let SweepWords { file, bytes, path, given } = *of;
         let folder = |path: &Path| path.parent().unwrap_or_else(|| Path::new("")).to_path_buf();
         let mut read = Read::of(&file.scene, path)?;
         if let (Some(budget), Some(scene)) = (file.budget, read.scene.as_object_mut()) {
@@ -196,7 +231,7 @@ impl Sweep {
         let first = Plan::new(vary.clone(), file.samples, 1)?;
         let scene = trial::first_scene(&first, &read.scene)?;
         let (base, of_scene) = (folder(path), folder(&read.path));
-        let motions = Motions::read(file, &base, &of_scene, &scene, first.axes());
+        let motions = Motions::read(file, given, [&base, &of_scene], &scene, first.axes());
         let motions = motions.map_err(|error| trial::blamed(error, &first, [path, &read.path]))?;
         let plan = Plan::new(vary, file.samples, motions.all.len())?;
         let sha256 = hash(bytes, &read.bytes, &motions);

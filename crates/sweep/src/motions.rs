@@ -3,11 +3,20 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use super::file::SweepFile;
+use super::file::{Records, SweepFile};
 use super::plan::Axis;
 use pounding_assess::Suite;
 use pounding_scene::{Error, GroundMotion, Implausible, RecordUse, Scene, SharedMotion, Source};
 use pounding_text::Refused;
+
+/// Motions that were read before the sweep, in place of those of its file.
+#[derive(Debug, Clone)]
+pub struct ScaledSuite {
+    /// The motions; one or more.
+    pub suite: Suite,
+    /// Factor on each of them \[–\], besides the scale of the scene.
+    pub factors: Vec<f64>,
+}
 
 /// A ground motion in one direction.
 #[derive(Debug, Clone)]
@@ -68,9 +77,15 @@ pub(super) struct Motions {
 }
 
 impl Motions {
-    /// Reads the motions of a sweep whose first run is this scene; `base` is the folder of its file, `of_scene` that of the
-    /// scene's.
-    pub(super) fn read(file: &SweepFile, base: &Path, of_scene: &Path, scene: &Scene, axes: &[Axis]) -> Result<Self, Refused> {
+    /// Reads the motions of a sweep whose first run is this scene, unless they are `given`; `base` is the folder of its file, `of_scene` that
+    /// of the scene's.
+    pub(super) fn read(
+        file: &SweepFile,
+        given: Option<&ScaledSuite>,
+        [base, of_scene]: [&Path; 2],
+        scene: &Scene,
+        axes: &[Axis],
+    ) -> Result<Self, Refused> {
         let differs = Differs::by(axes);
         let mut record = scene.record.clone();
         if differs == Differs::Scale {
@@ -83,20 +98,38 @@ impl Motions {
             unusual: Vec::new(),
             suite: None,
             files: Vec::new(),
-            replace: file.records.is_some(),
+            replace: file.records.is_some() || given.is_some(),
             duration_varies: axes.iter().flat_map(|axis| &axis.fields).any(|place| place.is_in("duration_s")),
             differs,
         };
-        let Some(records) = &file.records else {
-            if let Source::File(file) = &record.source {
-                motions.files.push(of_scene.join(&file.file));
+        let suite = match (given, &file.records) {
+            (Some(given), _) => given.suite.clone(),
+            (None, Some(records)) => Self::suite_of(records, base, &record)?,
+            (None, None) => {
+                if let Source::File(file) = &record.source {
+                    motions.files.push(of_scene.join(&file.file));
+                }
+                for record in in_directions(&record, directions) {
+                    let motion = GroundMotion::of(&record, of_scene, &scene.name)?;
+                    motions.add(&own_name(&record.source), 0, record, motion);
+                }
+                return Ok(motions);
             }
-            for record in in_directions(&record, directions) {
-                let motion = GroundMotion::of(&record, of_scene, &scene.name)?;
-                motions.add(&own_name(&record.source), 0, record, motion);
-            }
-            return Ok(motions);
         };
+        for (index, motion) in suite.motions.iter().enumerate() {
+            for mut record in in_directions(&record, directions) {
+                record.scale *= given.map_or(1.0, |given| given.factors[index]);
+                let (record, used) = motion.used_as(&record, &scene.name)?;
+                motions.add(&motion.name, motion.event, record, used);
+            }
+        }
+        motions.files.clone_from(&suite.files);
+        motions.suite = Some(suite);
+        Ok(motions)
+    }
+
+    /// The motions of the folders and files that a sweep names; one or more.
+    fn suite_of(records: &Records, base: &Path, record: &RecordUse) -> Result<Suite, Refused> {
         let mut paths = Vec::new();
         for path in records.paths() {
             let path = base.join(path);
@@ -107,21 +140,13 @@ impl Motions {
             paths.push(path);
         }
         let suite = Suite::of(&paths, &record.declared())?;
-        for motion in &suite.motions {
-            for record in in_directions(&record, directions) {
-                let (record, used) = motion.used_as(&record, &scene.name)?;
-                motions.add(&motion.name, motion.event, record, used);
-            }
-        }
-        if motions.all.is_empty() {
+        if suite.motions.is_empty() {
             let left_out = suite.said_of_left_out(false);
             let said = [vec![records.paths().join(", ")], left_out].concat();
             let none = Refused::at("records").found(format!("no record in {}", said.join("; ")));
             return Err(none.allowed_is("a folder with one or more, or a file"));
         }
-        motions.files.clone_from(&suite.files);
-        motions.suite = Some(suite);
-        Ok(motions)
+        Ok(suite)
     }
 
     fn add(&mut self, name: &str, event: usize, record: RecordUse, motion: GroundMotion) {

@@ -71,6 +71,14 @@ impl RowShape {
         structures.eq(floors.all().iter().map(|floor| floor.structure)) && of_pairs.eq(of_others) && same_columns && same_links
     }
 
+    /// Contacts across which floors can touch, from the left: those of the columns of `neighbours`.
+    pub(super) fn contacts(&self) -> Vec<usize> {
+        let mut all: Vec<usize> = self.pairs.iter().map(|pair| pair.contact).collect();
+        all.sort_unstable();
+        all.dedup();
+        all
+    }
+
     /// Left and right structure of a pair.
     fn neighbours(&self, pair: &FloorPair) -> [usize; 2] {
         [pair.left, pair.right].map(|floor| self.floors[floor].structure)

@@ -11,6 +11,7 @@ mod demo;
 mod explain;
 mod export;
 mod gap;
+mod ida;
 mod init;
 mod laws;
 mod merge;
@@ -74,6 +75,8 @@ enum Command {
     Merge(merge::Arguments),
     /// Find how wide gaps must be under a folder of records.
     Gap(gap::Arguments),
+    /// Find how often a row touches, from records and a hazard curve.
+    Ida(ida::Arguments),
     /// Write a scene as a script for OpenSees, to check this program.
     Export(export::Arguments),
     /// Find the cheapest method and time step for an accuracy.
@@ -126,6 +129,7 @@ impl Program {
             Command::Compare(args) => compare::run(args),
             Command::Sweep(args) => return sweep::run(args),
             Command::Merge(args) => return merge::run(args),
+            Command::Ida(args) => return ida::run(args),
             Command::Gap(args) => gap::run(args),
             Command::Export(args) => export::run(args),
             Command::Advise(args) => advise::run(args),

@@ -38,6 +38,7 @@ mod runs;
 mod scenes;
 mod schema;
 mod storeys;
+mod stripes;
 mod suites;
 mod summaries;
 mod sweep_refusals;

@@ -60,6 +60,7 @@ fn issue_no_command_writes_over_what_it_reads() {
         "run own/summary.json --out own --overwrite",
         "run towers.toml --records records --out records --overwrite",
         "assess towers.toml --records records --target records/pulse.csv --out records --overwrite",
+        "ida towers.toml --records records --out records --overwrite",
         "sweep gaps.json --out gaps.json --overwrite",
         "sweep gaps.json --out towers.toml --overwrite",
         "sweep gaps.json --out records/column.txt --overwrite",

@@ -6,6 +6,7 @@ mod checked;
 mod collapses;
 mod motions;
 mod parts;
+mod stripes;
 mod towers;
 
 use std::fs;
