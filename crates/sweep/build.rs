@@ -8,11 +8,12 @@ use std::path::{Path, PathBuf};
 use sha2::{Digest, Sha256};
 
 /// The folders of these crates, relative to this crate.
-const SOURCES: [&str; 8] = [
+const SOURCES: [&str; 9] = [
     "../assess/src",
     "../contact/src",
     "../lanes/src",
     "../motion/src",
+    "../risk/src",
     "../scene/src",
     "../solver/src",
     "../text/src",

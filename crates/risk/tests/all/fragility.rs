@@ -84,7 +84,7 @@ fn limit_bounds_of_independent_stripes_are_those_of_the_information() {
     all.same_events = false;
     let fit = Fragility::of(&all).expect("a fragility");
     let drawn = Bootstrap::of(&all);
-    let [low, high] = drawn.bounds(|one| one.median.ln()).expect("bounds");
+    let [low, high] = drawn.bounds(|one| libm::log(one.median)).expect("bounds");
     let half = 1.96 * fit.error_of_log_median;
     assert!(((high - low) / (2.0 * half) - 1.0).abs() < 0.1, "{low} {high} {half}");
     let [low, high] = drawn.bounds(|one| one.dispersion).expect("bounds");
@@ -99,7 +99,7 @@ fn limit_bounds_of_independent_stripes_are_those_of_the_information() {
 fn limit_events_at_all_intensities_are_drawn_together() {
     let width = |same_events: bool| {
         let all = Stripes { same_events, ..of_case() };
-        let [low, high] = Bootstrap::of(&all).bounds(|one| one.median.ln()).expect("bounds");
+        let [low, high] = Bootstrap::of(&all).bounds(|one| libm::log(one.median)).expect("bounds");
         high - low
     };
     assert!(width(true) > 1.2 * width(false), "{} {}", width(true), width(false));
@@ -119,7 +119,7 @@ proptest! {
     /// The fit has the largest likelihood of its surroundings, whatever the counts.
     #[test]
     fn limit_the_fit_has_the_largest_likelihood(counts in prop::collection::vec(0_usize..=20, 3..9)) {
-        let at = |index: usize| 0.1 * 1.4_f64.powf(index as f64);
+        let at = |index: usize| 0.1 * libm::pow(1.4, index as f64);
         let all: Vec<(f64, usize)> = counts.iter().enumerate().map(|(index, count)| (at(index), *count)).collect();
         let Ok(fit) = Fragility::of(&stripes(20, &all)) else {
             return Ok(());
@@ -127,7 +127,7 @@ proptest! {
         let minus = |one: Fragility| -> f64 {
             let of = |(intensity, count): &(f64, usize)| {
                 let probability = one.probability(*intensity);
-                let term = |n: usize, probability: f64| if n > 0 { n as f64 * probability.ln() } else { 0.0 };
+                let term = |n: usize, probability: f64| if n > 0 { n as f64 * libm::log(probability) } else { 0.0 };
                 term(*count, probability) + term(20 - count, 1.0 - probability)
             };
             -all.iter().map(of).sum::<f64>()

@@ -41,6 +41,6 @@ fn of_case() -> Stripes {
     let both = list("im_g").into_iter().zip(list("touch"));
     let whole = |value: &Value| usize::try_from(value.as_u64().expect("a whole number")).expect("small");
     let all: Vec<(f64, usize)> = both.map(|(im, touch)| (im.as_f64().expect("a number"), whole(&touch))).collect();
-    assert!(list("n").iter().all(|n| whole(n) == 40));
+    assert!(list("n").iter().all(|n| whole(n) == 40), "forty motions each");
     stripes(40, &all)
 }
