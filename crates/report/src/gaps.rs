@@ -405,13 +405,14 @@ fn says_enough(all: &RequiredGap, fallen: &Fallen, is_over: bool) -> String {
     let widths = &all.required;
     let n = widths.sorted().len();
     let largest = enough(widths.largest());
-    let [enough_for, all_events] = match (fallen.collapsed, is_over, n) {
-        (1.., ..) => ["keep floors apart in", &fallen.others()],
-        (0, true, 1) => ["keep floors apart in", "the only event"],
-        (0, true, n) => ["keep floors apart in", &format!("all {n} events")],
-        (0, false, 1) => ["are enough for", "the only event"],
-        (0, false, n) => ["are enough for", &format!("all {n} events")],
+    let all_events = match n {
+        _ if fallen.collapsed > 0 => fallen.others(),
+        1 => "the only event".into(),
+        2 => "both events".into(),
+        n => format!("all {n} events"),
     };
+    let keeps_apart = fallen.collapsed > 0 || is_over;
+    let enough_for = if keeps_apart { "keep floors apart in" } else { "are enough for" };
     let spread = if widths.has_quantiles() {
         format!(
             "; {} mm for half of them, {} mm for 84 %",

@@ -107,6 +107,7 @@ class Record:
         scale_to: Mapping[str, Any] | None = None,
         detrend: str | None = None,
         band_pass: Mapping[str, Any] | None = None,
+        interpolation: str | None = None,
         resample: float | None = None,
         gravity: float | None = None,
     ) -> Record:
@@ -124,6 +125,8 @@ class Record:
             ``"constant"`` or ``"linear"``: the line to subtract.
         band_pass
             ``{"low_hz": 0.1, "high_hz": 25.0, "order": 4}`` [Hz].
+        interpolation
+            The motion between samples: ``"linear"`` or ``"band_limited"``.
         resample
             New time step [s].
         gravity
@@ -206,6 +209,7 @@ def read(
     scale_to: Mapping[str, Any] | None = None,
     detrend: str | None = None,
     band_pass: Mapping[str, Any] | None = None,
+    interpolation: str | None = None,
     resample: float | None = None,
     gravity: float | None = None,
 ) -> Record:
@@ -226,7 +230,7 @@ def read(
         Value of one count of the file, in ``unit``.
     acceleration
         Declares that the file holds accelerations although it looks like velocities.
-    scale, reversed, scale_to, detrend, band_pass, resample, gravity
+    scale, reversed, scale_to, detrend, band_pass, interpolation, resample, gravity
         As in :meth:`Record.using`.
 
     Raises
