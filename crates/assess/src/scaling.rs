@@ -283,8 +283,9 @@ pub(crate) fn unscaled(record: &RecordUse) -> RecordUse {
 
 /// Shortest and longest period at which records are compared with a spectrum \[s\]; at least one structure of the scene moves.
 fn ends_of(scene: &Scene) -> [f64; 2] {
-    let shortest = scene.structures.iter().filter_map(Structure::period).fold(f64::INFINITY, f64::min);
-    let longest = scene.structures.iter().filter_map(Structure::longest_period).fold(0.0, f64::max);
+    // Before they yield, isolators are stiff: that period says little about the building.
+    let periods = || scene.structures.iter().filter_map(Structure::longest_period);
+    let [shortest, longest] = [periods().fold(f64::INFINITY, f64::min), periods().fold(0.0, f64::max)];
     [BETWEEN[0] * shortest, BETWEEN[1] * longest]
 }
 

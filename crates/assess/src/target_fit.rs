@@ -1,6 +1,6 @@
 //! The mean spectrum of the records that shake a row, compared with the spectrum to which they were scaled.
 
-use pounding_scene::Scene;
+use pounding_scene::{Scene, Structure};
 
 use crate::scaling::{BETWEEN, MotionSpectrum, SpectrumTarget};
 
@@ -26,17 +26,11 @@ impl TargetFit {
     pub fn of(scene: &Scene, target: &SpectrumTarget, spectra: &[&MotionSpectrum]) -> Option<Self> {
         let n = spectra.len() as f64;
         let gravity = scene.record.gravity_m_per_s2;
-        let structures = || {
-            scene
-                .structures
-                .iter()
-                .filter_map(|one| Some([one.period()?, one.longest_period()?]))
-        };
+        let structures = || scene.structures.iter().filter_map(Structure::longest_period);
         let counts = |period: f64| {
             let [from, to] = BETWEEN;
             // Rounding must not lose the ends of the range.
-            target.periods.is_some()
-                || structures().any(|[first, last]| period > from * first * (1.0 - 1e-9) && period < to * last * (1.0 + 1e-9))
+            target.periods.is_some() || structures().any(|own| period > from * own * (1.0 - 1e-9) && period < to * own * (1.0 + 1e-9))
         };
         let periods = target.checked_periods(scene).into_iter().enumerate();
         let counted: Vec<(usize, f64)> = periods.filter(|(_, period)| counts(*period)).collect();

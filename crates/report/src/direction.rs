@@ -2,9 +2,9 @@
 
 use std::mem::discriminant;
 
-use pounding_scene::{Error, Excess, ExcessKind, Extras, PairOutcome, RecordUse, Review, RunResult, Simulation};
+use pounding_scene::{Error, Excess, ExcessKind, Extras, PairOutcome, RecordUse, Review, RunResult, Simulation, Warning};
 
-use pounding_text::{Unit, short};
+use pounding_text::{Unit, millimetres, short};
 
 use super::Blow;
 use crate::page::sentence;
@@ -135,7 +135,7 @@ fn notices(prepared: &Simulation, review: &Review, other: &RunResult, names: [&s
     let warnings = review.warnings.iter().map(ToString::to_string);
     let mut of_other = prepared.passed(other);
     of_other.extend(prepared.warnings_before(other));
-    let is_new = |one: &&pounding_scene::Warning| {
+    let is_new = |one: &&Warning| {
         let mut known = review.warnings.iter();
         known.all(|known| discriminant(known) != discriminant(*one))
     };
@@ -153,10 +153,27 @@ fn touching(prepared: &Simulation, result: &RunResult) -> usize {
 /// Describes a run of a scene in a sentence: whether a storey collapses, how often floors touch, and how hard.
 pub fn run_sentence(prepared: &Simulation, result: &RunResult) -> String {
     let touches = touch_sentence(prepared, result);
+    let unseated = says_unseated(prepared, result);
+    let touches = unseated.map_or(touches.clone(), |unseated| format!("{unseated}; {touches}"));
     match prepared.says_collapse(result) {
         Some(collapse) => format!("{collapse}; until then {touches}"),
         None => touches,
     }
+}
+
+/// The first floor that leaves its seat, in words; `None` if none does.
+fn says_unseated(prepared: &Simulation, result: &RunResult) -> Option<String> {
+    let passed = prepared.passed(result).into_iter();
+    let unseated = passed.filter_map(|one| match one {
+        Warning::Unseated { names, width, time, .. } => Some((time, width, names)),
+        _ => None,
+    });
+    let (time, width, [left, right]) = unseated.min_by(|one, other| one.0.total_cmp(&other.0))?;
+    Some(format!(
+        "{right} leaves its seat of {} mm on {left} at {} s",
+        millimetres(width),
+        short(time)
+    ))
 }
 
 fn touch_sentence(prepared: &Simulation, result: &RunResult) -> String {

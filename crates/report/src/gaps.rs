@@ -7,6 +7,7 @@ use pounding_scene::{Error, Excess, ExcessKind, Floors, Implausible, RecordUse, 
 use pounding_text::{Answer, Cell, Shown, Table, Where, digits, rounded_up, short};
 use serde_json::{Value, json};
 
+use crate::assessment::ALIKE;
 use crate::folder::{MotionRow, OfFolder, UnderMotion, factor};
 use crate::rules::{RuledGap, notes, sources};
 use crate::whatever_gap::{Fallen, over_capacity, says_beyond, says_over_capacity};
@@ -405,6 +406,11 @@ fn says_enough(all: &RequiredGap, fallen: &Fallen, is_over: bool) -> String {
     let widths = &all.required;
     let n = widths.sorted().len();
     let largest = enough(widths.largest());
+    if widths.largest() <= ALIKE {
+        return "they move alike: the gap closes by less than 1 mm. That rests on equal periods and masses; change one of them by a few per cent before \
+                a width is called enough"
+            .into();
+    }
     let all_events = match n {
         _ if fallen.collapsed > 0 => fallen.others(),
         1 => "the only event".into(),

@@ -89,7 +89,13 @@ impl RuledGap<'_> {
                 (true, false) => ", though no motion here closes them".into(),
                 _ => String::new(),
             };
-            format!(" If these motions are at its level, the given {own_mm} mm {meets}{keeps}.")
+            // A width by height alone is asked for whatever the motions.
+            let by = if code == Rule::Gb50011 {
+                "The"
+            } else {
+                "If these motions are at its level, the"
+            };
+            format!(" {by} given {own_mm} mm {meets}{keeps}.")
         });
         format!(
             "By {}: {width_mm} mm between {names} ({of}{few}){owners}{narrowed}.{own}",

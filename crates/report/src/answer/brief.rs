@@ -3,6 +3,7 @@
 use std::collections::BTreeSet;
 
 use pounding_contact::LawName;
+use pounding_scene::file::Interpolation;
 use pounding_scene::{Collapse, Errors, FloorQuantity, PairQuantity, QuantityGroup, Review, RunResult, Simulation};
 use pounding_text::{Grid, Shown, Table, Unit, digits, percent, short};
 
@@ -25,9 +26,13 @@ pub(super) fn scene(prepared: &Simulation, review: &Review) -> Vec<String> {
     vec![
         scene.name.clone(),
         format!(
-            "{}, peak {} g",
+            "{}, peak {} g{}",
             scene.record.source,
-            short(peak.abs() / scene.record.gravity_m_per_s2)
+            short(peak.abs() / scene.record.gravity_m_per_s2),
+            match scene.record.interpolation {
+                Interpolation::Linear => "",
+                Interpolation::BandLimited => ", band-limited between samples",
+            }
         ),
         format!(
             "{} by {method}{steps}, {}: {}",

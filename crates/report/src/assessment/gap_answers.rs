@@ -1,15 +1,17 @@
 //! The sentences of an assessment about gaps: whether each is enough, and which width is proposed.
 
 use pounding_assess::{Distribution, GapAssessment, TargetFit};
+use pounding_scene::ExcessKind;
 use pounding_text::{millimetres, millimetres_up, percent, two_decimals, two_digits};
 
 use super::cautions::BESIDE;
 use super::{AssessedMotion, AssessmentReport};
 use crate::folder::factor;
 use crate::rules::{RuledGap, asked};
+use crate::whatever_gap::says_beyond;
 
 /// Largest closing of neighbours that move alike \[m\].
-const ALIKE: f64 = 1e-3;
+pub(crate) const ALIKE: f64 = 1e-3;
 
 impl AssessmentReport {
     /// The least part of the target that the mean spectrum has, and its period, if a code asks for more.
@@ -249,6 +251,31 @@ impl AssessmentReport {
                 )
             });
             format!(" Largest under {}{}{past}.", one.shown(), factor(one.run.scale))
+        }) + &self.beyond(gap)
+    }
+
+    /// The motion that does not count and asks for the largest width, in a sentence, if that is more than those ask that count. A building that
+    /// falls needs no width.
+    fn beyond(&self, gap: &GapAssessment) -> String {
+        let asked = self.motions.iter().filter_map(|one| {
+            let doubted = one
+                .run
+                .disbelieved_alone
+                .as_ref()
+                .filter(|doubted| doubted.kind != ExcessKind::Collapse)?;
+            let own = one.run.separations.iter().find(|own| own.left == gap.left)?;
+            Some((own.required, one, doubted))
+        });
+        let largest = asked.max_by(|one, other| one.0.total_cmp(&other.0));
+        let largest = largest.filter(|(required, ..)| *required > gap.required.largest());
+        largest.map_or_else(String::new, |(required, one, doubted)| {
+            format!(
+                " Under {}{}, which does not count ({}), they would need {} mm.",
+                one.shown(),
+                factor(one.run.scale),
+                says_beyond(doubted),
+                millimetres_up(required)
+            )
         })
     }
 
@@ -307,6 +334,7 @@ impl AssessmentReport {
             .any(|gap| self.by_named_code(gap).is_some_and(|width| width > gap.largest()));
         let why = match code.filter(|_| asks) {
             Some(code) => format!("the largest needed, and what {code} asks for, rounded up"),
+            None if self.assessment.disbelieved_alone > 0 => format!("the largest needed in {}, rounded up", self.fallen().others()),
             None => "the largest needed, rounded up".into(),
         };
         // The events that count are no sample if others were left out because a building would not stand, or if most belong elsewhere.

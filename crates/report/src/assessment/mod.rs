@@ -16,6 +16,7 @@ mod spectra;
 mod tables;
 mod words;
 
+pub(crate) use gap_answers::ALIKE;
 use std::collections::BTreeMap;
 
 use pounding_assess::{

@@ -83,7 +83,7 @@ impl std::fmt::Display for BetweenSamples {
         let all = if all.is_empty() { "nothing".to_owned() } else { all.join(", ") };
         write!(
             formatter,
-            "{all}, if the record is band-limited between its samples in place of straight lines"
+            "with a band-limited record in place of straight lines between its samples (record.interpolation): {all}"
         )?;
         match self.jumps {
             None => Ok(()),

@@ -14,9 +14,7 @@ impl Excess {
         let samples: Vec<_> = samples.into_iter().collect();
         let all = samples.iter().flat_map(|one| one.as_ref().iter().cloned());
         let mut worst: Vec<Self> = all.collect();
-        worst.sort_by(Self::by_kind_and_share);
-        let mut said = BTreeSet::new();
-        worst.retain(|one| said.insert((one.kind, one.capacity.is_some())));
+        Self::keep_worst(&mut worst);
         let of = samples.len();
         for one in &mut worst {
             let with = samples
@@ -31,11 +29,17 @@ impl Excess {
         worst
     }
 
-    /// Returns the worst response of every kind, the most harmful kind first; of equal ones the first.
+    /// Returns the worst response of every kind above a general limit and above a capacity of the scene, the most harmful kind first; of
+    /// equal ones the first.
     pub fn worst(mut all: Vec<Self>) -> Vec<Self> {
-        all.sort_by(Self::by_kind_and_share);
-        all.dedup_by_key(|one| one.kind);
+        Self::keep_worst(&mut all);
         all
+    }
+
+    fn keep_worst(all: &mut Vec<Self>) {
+        all.sort_by(Self::by_kind_and_share);
+        let mut said = BTreeSet::new();
+        all.retain(|one| said.insert((one.kind, one.capacity.is_some())));
     }
 
     fn by_kind_and_share(&self, other: &Self) -> Ordering {

@@ -120,11 +120,13 @@ impl Simulation {
 
     /// Returns the drift or force of every structure that is farthest above a capacity that the scene gives, of those above one.
     pub fn over_capacity(&self, result: &RunResult) -> Vec<Excess> {
+        let floors = self.floors();
         let structures = 0..self.scene().structures.len();
         let worst = structures.filter_map(|structure| {
             let own = self.floors().of_structure(structure).iter();
             let all = own.flat_map(|floor| self.judged(result, *floor).into_iter().map(|one| self.excess(*floor, one)));
-            let told = all.filter(|one| one.capacity.is_some() && one.share() > 1.0);
+            // The wall of a moat stops isolators: what they would do alone is no capacity that no gap helps.
+            let told = all.filter(|one| one.capacity.is_some() && one.share() > 1.0 && !floors.all()[one.floor].is_isolation_layer());
             told.max_by(|one, other| one.share().total_cmp(&other.share()))
         });
         worst.collect()
@@ -152,12 +154,12 @@ impl Simulation {
             })
         });
         let mut hit: Vec<Excess> = hit.collect();
-        let others = match hit.len() {
-            0 | 1 => String::new(),
-            n => format!(" and {} more", n - 1),
-        };
-        for one in &mut hit {
-            one.name.push_str(&others);
+        // Those above a capacity of the scene are told apart from those without one.
+        for told in [true, false] {
+            let n = hit.iter().filter(|one| one.capacity.is_some() == told).count();
+            for one in hit.iter_mut().filter(|one| n > 1 && one.capacity.is_some() == told) {
+                one.name.push_str(&format!(" and {} more", n - 1));
+            }
         }
         hit
     }

@@ -123,14 +123,14 @@ impl Excess {
                  farther than the gap"
             );
         }
-        let than = if self.kind == ExcessKind::AtColumn {
-            " farther than the gap"
-        } else {
-            ""
+        // Without a contact nothing touches, and nothing is left out.
+        let [than, not_modelled] = match self.kind {
+            ExcessKind::AtColumn => [" farther than the gap", ", and is not modelled"],
+            _ => ["", ""],
         };
         format!(
             "faces columns of its neighbour between floors; {often}both together may move up to {farther} mm{than}: a floor that hits a column \
-             can bring a building down, and is not modelled"
+             can bring a building down{not_modelled}"
         )
     }
 }
