@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 
 use pounding::contact::{Calibration, ContactLaw, Exact, FreePair, LawName};
 use pounding::scene::{Contact, Damping, Method, RecordUse, STANDARD_GRAVITY, Scene, StepMethod, Structure};
+use pounding::scene::file::Law;
 use pounding::text::{Refused, digits};
 use serde::Serialize;
 use serde_json::Value;
@@ -21,7 +22,7 @@ const OWN: &str = "own";
 /// Numbers and choices that were turned, by the names of their knobs.
 pub(super) type Turned = BTreeMap<String, Value>;
 
-/// A knob; the number is the index of a structure or of a contact.
+/// A knob; the number is the index of a structure, a contact, or the first of links with the same law.
 #[derive(Debug, Clone, Copy)]
 enum Knob {
     Gap(usize),
@@ -32,6 +33,7 @@ enum Knob {
     Period(usize),
     Damping(usize),
     Yield(usize),
+    Link(usize),
     Scale,
     Direction,
     Method,
@@ -76,7 +78,7 @@ pub(super) fn drawn(base: &Scene, now: &Scene) -> Vec<Drawn> {
         Some(Drawn {
             id: knob.id(),
             group: knob.group(base),
-            label: knob.label(),
+            label: knob.label(base),
             kind: knob.kind(base, now)?,
         })
     });
@@ -95,7 +97,7 @@ pub(super) fn turned(base: &Scene, turned: &Turned) -> Result<Scene, Refused> {
         if let (Some(value), Some(kind)) = (turned.get(&id), knob.kind(base, &scene)) {
             let refused = |found: String| Refused::at(id.clone()).found(found).allowed_is("a value of this knob");
             let setting = kind.setting(value).ok_or_else(|| refused(value.to_string()))?;
-            knob.turn(&mut scene, &setting).ok_or_else(|| refused(value.to_string()))?;
+            knob.turn(base, &mut scene, &setting).ok_or_else(|| refused(value.to_string()))?;
         }
     }
     match turned.keys().find(|id| !all.iter().any(|knob| knob.id() == **id)) {
@@ -183,7 +185,8 @@ impl Knob {
             [Self::Mass(one), Self::Period(one), Self::Damping(one), Self::Yield(one)]
         });
         let rest = [Self::Scale, Self::Direction, Self::Method, Self::Step];
-        contacts.chain(structures).chain(rest).collect()
+        let links = (0..scene.links.len()).filter(|one| linked(scene, *one)[0] == *one).map(Self::Link);
+        contacts.chain(links).chain(structures).chain(rest).collect()
     }
 
     fn id(self) -> String {
@@ -196,6 +199,7 @@ impl Knob {
             Self::Period(one) => format!("period.{one}"),
             Self::Damping(one) => format!("damping.{one}"),
             Self::Yield(one) => format!("yield.{one}"),
+            Self::Link(one) => format!("link.{one}"),
             Self::Scale => "scale".into(),
             Self::Direction => "direction".into(),
             Self::Method => "method".into(),
@@ -203,7 +207,7 @@ impl Knob {
         }
     }
 
-    fn label(self) -> &'static str {
+    fn label(self, scene: &Scene) -> &'static str {
         match self {
             Self::Gap(_) => "Gap",
             Self::Law(_) => "Contact law",
@@ -213,6 +217,7 @@ impl Knob {
             Self::Period(_) => "Period",
             Self::Damping(_) => "Damping ratio",
             Self::Yield(_) => "Yield force",
+            Self::Link(one) => link_number(&mut scene.links[one].law.clone()).label,
             Self::Scale => "Scale of the record",
             Self::Direction => "Direction",
             Self::Method => "Method",
@@ -227,6 +232,10 @@ impl Knob {
                 format!("Between {} and {}", name(one), name(one + 1))
             }
             Self::Mass(one) | Self::Period(one) | Self::Damping(one) | Self::Yield(one) => name(one),
+            Self::Link(one) => match linked(scene, one).len() {
+                1 => format!("Link between {}", scene.links[one].names(scene).join(" and ")),
+                several => format!("{several} links of the same law"),
+            },
             Self::Scale | Self::Direction => "Shaking".into(),
             Self::Method | Self::Step => "Method".into(),
         }
@@ -260,6 +269,15 @@ impl Knob {
             }
             Self::Damping(one) => Kind::number(now.structures[one].damping_ratio()?, [0.0, 0.2], (100.0, "%")),
             Self::Yield(one) => yield_kind(&base.structures[one], &now.structures[one])?,
+            Self::Link(one) => {
+                let [mut before, mut law] = [base, now].map(|scene| scene.links[one].law);
+                let (before, number) = (*link_number(&mut before).value, link_number(&mut law));
+                if number.label == SLACK {
+                    Kind::number(*number.value, [0.0, (3.0 * before).max(0.1)], number.unit)
+                } else {
+                    Kind::factor(*number.value, [1e-3 * before, 1e2 * before], number.unit)
+                }
+            }
             Self::Scale => {
                 let before = base.record.scale.abs();
                 let is_some = before > 0.0;
@@ -282,7 +300,7 @@ impl Knob {
     }
 
     /// Turns a knob; `None` if the scene does not have it.
-    fn turn(self, scene: &mut Scene, to: &Setting) -> Option<()> {
+    fn turn(self, base: &Scene, scene: &mut Scene, to: &Setting) -> Option<()> {
         match self {
             Self::Gap(one) => contact(scene, one)?.gap_m = to.number()?,
             Self::Law(one) => {
@@ -316,6 +334,11 @@ impl Knob {
                 }
             }
             Self::Yield(one) => yields_at(&mut scene.structures[one], to.number())?,
+            Self::Link(one) => {
+                for link in linked(base, one) {
+                    *link_number(&mut scene.links[link].law).value = to.number()?;
+                }
+            }
             Self::Scale => scene.record.scale = to.number()?.copysign(scene.record.scale),
             Self::Direction => scene.record.reversed = to.choice() == RecordUse::direction_of(true),
             Self::Method => scene.method = other_method(scene.method, to.choice())?,
@@ -327,6 +350,34 @@ impl Knob {
 
 fn contact(scene: &mut Scene, one: usize) -> Option<&mut Contact> {
     scene.contacts.as_mut()?.get_mut(one)
+}
+
+/// The links with the law of this one.
+fn linked(scene: &Scene, one: usize) -> Vec<usize> {
+    let same = |other: &usize| scene.links[*other].law == scene.links[one].law;
+    (0..scene.links.len()).filter(same).collect()
+}
+
+/// The main number of a link.
+struct LinkNumber<'a> {
+    label: &'static str,
+    value: &'a mut f64,
+    unit: (f64, &'static str),
+}
+
+/// The number of a link that may be 0.
+const SLACK: &str = "Slack";
+
+fn link_number(law: &mut Law) -> LinkNumber<'_> {
+    let (label, value, unit) = match law {
+        Law::Spring { stiffness_n_per_m: value, .. } => ("Stiffness", value, (1e-6, "MN/m")),
+        Law::Dashpot { damping_n_s_per_m: value } | Law::Maxwell { damping_n_s_per_m: value, .. } => {
+            ("Damping coefficient", value, (1e-6, "MN·s/m"))
+        }
+        Law::Viscous { coefficient: value, .. } => ("Damping coefficient", value, (1e-6, "MN·(s/m)^α")),
+        Law::Restrainer { slack_m: value, .. } => (SLACK, value, (1e3, "mm")),
+    };
+    LinkNumber { label, value, unit }
 }
 
 /// The laws to choose from: one for each force whose damping an e gives, whatever the pair, and the law of the scene.
@@ -373,8 +424,13 @@ fn other_method(method: Method, key: &str) -> Option<Method> {
 
 fn method_choice(scene: &Scene) -> Kind {
     let mut options = vec![(EXACT.to_owned(), "Exact".to_owned())];
-    options.extend(StepMethod::differing(scene.is_impulsive()).map(|one| (one.name().into(), one.label().into())));
     let step = scene.method.time_step();
+    let is_taken = |one: &StepMethod| {
+        let method = one.at(step.unwrap_or(FIRST_STEP));
+        Scene { method, ..scene.clone() }.check_method().is_ok()
+    };
+    let taken = StepMethod::differing(scene.is_impulsive()).filter(is_taken);
+    options.extend(taken.map(|one| (one.name().into(), one.label().into())));
     let known = StepMethod::all().find(|one| step.is_some_and(|step| one.at(step) == scene.method));
     let value = match known {
         Some(one) => one.name(),

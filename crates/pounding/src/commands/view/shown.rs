@@ -9,7 +9,7 @@ use std::thread;
 use pounding::assess::Separation;
 use pounding::contact::{ContactLaw, Stereomechanical};
 use pounding::report::{Player, Report, Summary, other_direction};
-use pounding::scene::{Contact, Error, GroundMotion, Origin, Scene, Simulation, SimulationOptions, Source};
+use pounding::scene::{Contact, Error, FileUse, GroundMotion, Origin, Scene, Simulation, SimulationOptions, Source};
 use pounding::text::{Refused, rounded_up};
 use serde::Serialize;
 use serde_json::Value;
@@ -95,6 +95,37 @@ impl Base {
             Source::Generated(_) => None,
         };
         Ok(Self::of(scene, origin))
+    }
+
+    /// The scene under a record that no file of this machine is read for.
+    ///
+    /// # Errors
+    /// Those of a record and of a scene.
+    pub(super) fn under(&self, name: &str, record: &[u8]) -> Result<Self, Error> {
+        let mut scene = self.scene.clone();
+        let declared = match scene.record.source {
+            Source::File(file) => file,
+            Source::Generated(_) => FileUse::default(),
+        };
+        let declared = FileUse {
+            file: name.into(),
+            component: None,
+            second_file: None,
+            axis_deg: None,
+            ..declared
+        };
+        let (origin, taken) = Origin::of_silent(Path::new(name), record, &declared)?;
+        scene.record.source = Source::File(taken);
+        Self::of(scene, Some(Arc::new(origin))).checked()
+    }
+
+    /// The same if it can run.
+    ///
+    /// # Errors
+    /// Those of a scene.
+    pub(super) fn checked(self) -> Result<Self, Error> {
+        self.prepared(&self.scene, None)?;
+        Ok(self)
     }
 
     /// Name of the scene.
