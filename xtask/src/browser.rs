@@ -16,7 +16,9 @@ pub(crate) fn check(root: &Path) -> Result<(), String> {
     for needed in NEEDED {
         let asked = Command::new(needed).arg("--version").output();
         if !asked.is_ok_and(|ended| ended.status.success()) {
-            return Err(format!("{needed} is not to be had (Debian: apt-get install chromium chromium-driver)"));
+            return Err(format!(
+                "{needed} is not to be had (Debian: apt-get install chromium chromium-driver)"
+            ));
         }
     }
     let python = environment(root, "browser")?;

@@ -101,9 +101,8 @@ function showCharts({ player, summary, exact_um: exact }) {
   const span = range ?? [0, summary.method.duration_s];
   const scaled = (values) => values.map((one) => one * 1e-3);
   const roofs = player.structures.map((_, one) => player.floors.findLastIndex((floor) => floor.structure === one && !floor.is_wall)).filter((one) => one >= 0);
-  const hues = new Map(roofs.map((roof, hue) => [roof, hue]));
-  const lines = roofs.map((roof) => ({ name: player.floors[roof].name, values: scaled(player.floors[roof].displacement_um), hue: hues.get(roof) }));
-  const beside = exact ? roofs.map((roof) => ({ name: `${player.floors[roof].name}, exact,`, values: scaled(exact[roof]), hue: hues.get(roof), dashed: true })) : [];
+  const lines = roofs.map((roof, hue) => ({ name: player.floors[roof].name, values: scaled(player.floors[roof].displacement_um), hue }));
+  const beside = exact ? roofs.map((roof, hue) => ({ name: `${player.floors[roof].name}, exact,`, values: scaled(exact[roof]), hue, dashed: true })) : [];
   charts.displacements.show({ interval, range: span, series: [...lines, ...beside] });
   // Of every contact the pair of floors that comes closest.
   const openings = player.pairs.map((pair) => pair.opening_um.reduce((least, one) => Math.min(least, one), Infinity));

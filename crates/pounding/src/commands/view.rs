@@ -166,33 +166,32 @@ impl View {
 
     fn call(&self, path: &str, call: &Call, record: &[u8]) -> Reply {
         let guide = self.guides.iter().find(|(guide, _)| guide.key == call.guide);
-        let base = match guide {
-            Some((_, base)) => base,
-            None if call.guide.is_empty() => &self.own,
+        let (guide, base) = match guide {
+            Some((guide, base)) => (Some(*guide), base),
+            None if call.guide.is_empty() => (None, &self.own),
             None => return Reply::refused(404, "no such guide"),
         };
-        let told = match (path, &call.record) {
-            (RECORD_CALL, Some(name)) => self.drop_record(base, name, record),
-            (_, None) => self.told(path, (base, guide.map(|(guide, _)| *guide)), call),
-            (_, Some(key)) => {
-                let known = self.dropped().iter().find(|(known, _)| known == key).map(|(_, base)| Arc::clone(base));
-                let Some(base) = known else {
-                    return Reply::refused(410, "the dropped record is no longer kept: drop it again, or press Reset");
-                };
-                self.told(path, (&base, guide.map(|(guide, _)| *guide)), call)
-            }
+        let known = |key| self.dropped().iter().find(|(known, _)| known == key).cloned();
+        let told = match &call.record {
+            None => self.told(path, base, guide, call),
+            Some(name) if path == RECORD_CALL => self.drop_record(base, name, record),
+            Some(key) => match known(key) {
+                Some((_, base)) => self.told(path, &base, guide, call),
+                None => return Reply::refused(410, "the dropped record is no longer kept: drop it again, or press Reset"),
+            },
         };
         told.unwrap_or_else(|error| Reply::refused(422, error.to_string()))
     }
 
-    fn told(&self, path: &str, (base, guide): (&Base, Option<&Guide>), call: &Call) -> Result<Reply, Error> {
+    fn told(&self, path: &str, base: &Base, guide: Option<&Guide>, call: &Call) -> Result<Reply, Error> {
         Ok(match path {
             "/api/guides" => self.guides(),
             "/api/run" => latest(call, Work::Run, |stop| {
                 let shown = base.shown(&call.knobs, stop)?;
                 let fact = guide.and_then(|guide| shown.fact(guide));
                 // Without a tree in between, which takes as long as a run.
-                Ok(serde_json::to_vec(&(fact, shown)).map_or_else(|error| Reply::refused(500, error.to_string()), |text| Reply::of(JSON, text)))
+                let text = serde_json::to_vec(&(fact, shown));
+                Ok(text.map_or_else(|error| Reply::refused(500, error.to_string()), |text| Reply::of(JSON, text)))
             })?,
             "/api/report" => latest(call, Work::Report, |stop| {
                 let prepared = base.prepared(&base.turned(&call.knobs)?, Some(stop))?;
@@ -212,12 +211,12 @@ impl View {
     /// Keeps a scene under a record of the page, and tells its key.
     fn drop_record(&self, base: &Base, name: &str, record: &[u8]) -> Result<Reply, Error> {
         let base = Arc::new(base.under(name, record)?);
-        let key = sha256(&[base.name().as_bytes(), name.as_bytes(), record].join(&b'\n'));
+        let mut key = sha256(&[base.name().as_bytes(), name.as_bytes(), record].join(&b'\n'));
+        key.truncate(16);
         let mut dropped = self.dropped();
         dropped.retain(|(known, _)| *known != key);
-        let surplus = (dropped.len() + 1).saturating_sub(DROPPED);
-        dropped.drain(..surplus);
-        dropped.push((key.clone(), base));
+        dropped.insert(0, (key.clone(), base));
+        dropped.truncate(DROPPED);
         Ok(Reply::of(TEXT, key))
     }
 
@@ -237,7 +236,9 @@ impl View {
             return Err(Refused::that("this scene is in no file: start `pounding view` with one"));
         };
         if call.record.is_some() {
-            return Err(Refused::that("a dropped record is in no folder: put it beside the scene, name it there, and start `pounding view` again"));
+            return Err(Refused::that(
+                "a dropped record is in no folder: put it beside the scene, name it there, and start `pounding view` again",
+            ));
         }
         let scene = base.turned(&call.knobs)?;
         base.prepared(&scene, None)?;

@@ -70,14 +70,34 @@ impl Serving {
 
     /// Sends a call as the page does.
     fn call(&self, name: &str, window: u64, guide: &str, knobs: &Value) -> (u16, String) {
-        let body = json!({"window": window, "guide": guide, "knobs": knobs}).to_string();
+        self.called(
+            name,
+            json!({"window": window, "guide": guide, "knobs": knobs}).to_string().as_bytes(),
+        )
+    }
+
+    /// Drops a file on the page.
+    fn drop(&self, name: &str, record: &[u8]) -> (u16, String) {
+        let call = json!({"window": 1, "guide": "", "knobs": {}, "record": name}).to_string();
+        self.called("record", &[call.as_bytes(), record].join(&b'\n'))
+    }
+
+    /// Runs the scene under a dropped record.
+    fn under(&self, key: &str, call: &str) -> (u16, String) {
+        self.called(
+            call,
+            json!({"window": 1, "guide": "", "knobs": {}, "record": key}).to_string().as_bytes(),
+        )
+    }
+
+    fn called(&self, name: &str, body: &[u8]) -> (u16, String) {
         let head = format!(
             "POST /api/{name} HTTP/1.1\r\nHost: {host}\r\nOrigin: http://{host}\r\nX-Pounding-Token: {}\r\nContent-Length: {}\r\n\r\n",
             self.token,
             body.len(),
             host = self.host,
         );
-        self.sent((head + &body).as_bytes())
+        self.sent(&[head.as_bytes(), body].concat())
     }
 
     /// The sentence of a guide, and a run.
@@ -274,6 +294,44 @@ fn extreme_the_server_bears_long_and_many_requests() {
 }
 
 #[test]
+fn reference_a_dropped_record_shakes_the_scene_and_is_written_nowhere() {
+    let folder = two("view_record");
+    let mut scene = good_scene();
+    scene["record"]["file"] = json!("other.csv");
+    let other = "time_s,acceleration_m_per_s2\n".to_owned()
+        + &(0..2000)
+            .map(|index| format!("{},{}\n", f64::from(index) / 100.0, if index % 50 < 25 { 3 } else { -3 }))
+            .collect::<String>();
+    let serving = Serving::of(&folder, &["scene.json"]);
+    let (status, key) = serving.drop("other.csv", other.as_bytes());
+    assert_eq!(status, 200, "{key}");
+    let (status, run) = serving.under(&key, "run");
+    assert_eq!(status, 200, "{run}");
+    let run: Value = serde_json::from_str(&run).expect("JSON");
+    assert_eq!(serving.under(&key, "save").0, 422);
+    assert_eq!(fs::read_dir(&folder).expect("a folder").count(), 2, "nothing is written");
+
+    fs::write(folder.join("other.csv"), &other).expect("a disk");
+    fs::write(folder.join("other.json"), scene.to_string()).expect("a disk");
+    let printed: Value = serde_json::from_str(&pounding(&folder, &["run", "other.json", "--json"]).stdout).expect("a summary");
+    assert_eq!(run[1]["summary"], printed);
+
+    // A wrong file is refused in the words of the reader, and its name opens no file.
+    for (name, bytes) in [("letter.txt", &b"Dear friend"[..]), ("record.csv", b""), ("other.csv", b"\0\0\0\0")] {
+        let (status, said) = serving.drop(name, bytes);
+        assert_eq!(status, 422, "{name}: {said}");
+        assert!(said.contains(name), "{said}");
+    }
+    assert_eq!(serving.under("none", "run").0, 410);
+    assert_eq!(serving.drop("large.csv", &vec![b'0'; 9 << 20]).0, 413);
+    // Only the last records are kept.
+    for n in 0..4 {
+        assert_eq!(serving.drop(&format!("{n}.csv"), other.as_bytes()).0, 200);
+    }
+    assert_eq!(serving.under(&key, "run").0, 410);
+}
+
+#[test]
 fn extreme_the_latest_run_of_a_window_stops_the_one_before() {
     let folder = folder("view_latest");
     // The damper holds the pair together: this run has no end.
@@ -297,6 +355,14 @@ fn extreme_the_latest_run_of_a_window_stops_the_one_before() {
         assert_eq!(serving.call("run", 8, "", &apart).0, 200, "another window");
         assert!(!endless.is_finished(), "another window stops nothing");
         assert_eq!(serving.call("run", 7, "", &apart).0, 200);
+        assert_eq!(endless.join().expect("an answer").0, 409);
+
+        // A report and a run do not stop each other; the latest report wins.
+        let endless = scope.spawn(|| serving.call("report", 7, "", &json!({})));
+        thread::sleep(Duration::from_millis(500));
+        assert_eq!(serving.call("run", 7, "", &apart).0, 200);
+        assert!(!endless.is_finished(), "a run stops no report");
+        assert_eq!(serving.call("report", 7, "", &apart).0, 200);
         assert_eq!(endless.join().expect("an answer").0, 409);
 
         // A window that closes stops its run.
@@ -363,6 +429,44 @@ fn reference_every_guide_shows_what_it_says() {
         force(&soft),
         force(&stiff)
     );
+    // Half the step moves the momenta, which the paper denies; the exact ones are half as large again.
+    let momenta = |knobs: Value| {
+        let structures = at("slip", knobs)["summary"]["structures"].clone();
+        let of = |one: usize| structures[one]["transferred_momentum_n_s"].as_f64().expect("a momentum");
+        [of(0), of(1), of(2)]
+    };
+    let [whole, half, exact] = [json!({}), json!({"step": "0.0025"}), json!({"method": "exact"})].map(momenta);
+    for one in 0..3 {
+        let (half, exact) = (half[one] / whole[one], exact[one] / whole[one]);
+        assert!((1.12..1.2).contains(&half), "{one}: {half}");
+        assert!((1.45..1.6).contains(&exact), "{one}: {exact}");
+    }
+    // A damper halves the hardest blow, a larger one prevents it, and one that is too large ties the towers together.
+    let damped = |coefficient: f64| at("dampers", json!({"link.0": coefficient}));
+    let hardest = |run: &Value| run["summary"]["pairs"][3]["largest"]["impulse_n_s"].as_f64();
+    let blows = [1e2, 1e5, 8e5].map(|coefficient| hardest(&damped(coefficient)).expect("a blow"));
+    assert!(
+        blows[1] > 0.99 * blows[0] && (0.45..0.55).contains(&(blows[2] / blows[0])),
+        "{blows:?}"
+    );
+    assert_eq!(collisions(&damped(2e6)), 0);
+    let [bare, tied] = [1e2, 2e7].map(|coefficient| peak(&damped(coefficient), 0));
+    assert!(tied > 0.9 * bare, "{tied} and {bare}");
+    let run = damped(1e5);
+    assert_eq!(run["player"]["links"].as_array().map(Vec::len), Some(4));
+    let method = run["knobs"]
+        .as_array()
+        .expect("knobs")
+        .iter()
+        .find(|knob| knob["id"] == "method")
+        .expect("a method");
+    let methods: Vec<_> = method["options"]
+        .as_array()
+        .expect("options")
+        .iter()
+        .map(|option| &option[0])
+        .collect();
+    assert_eq!(methods, ["exact", "rk4"], "the others take no links");
     // The neighbours hold the building in the middle.
     let [held, free] = [0.03, 0.2].map(|gap| at("middle", json!({"gap.0": gap, "gap.1": gap})));
     assert!(peak(&held, 1) < 0.8 * peak(&free, 1), "{} and {}", peak(&held, 1), peak(&free, 1));

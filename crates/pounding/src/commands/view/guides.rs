@@ -28,14 +28,6 @@ impl Guide {
     }
 }
 
-const WIDER: &str = include_str!("../../../assets/view/wider.toml");
-const PAIR: &str = include_str!("../../../assets/view/pair.toml");
-const LAYOUT_C: &str = include_str!("../../../assets/view/layout-c.toml");
-const SLAB: &str = include_str!("../../../assets/view/slab.toml");
-const SLIP: &str = include_str!("../../../assets/view/slip.toml");
-const DAMPERS: &str = include_str!("../../../assets/view/dampers.toml");
-const IMPULSE: &str = include_str!("../../../assets/view/impulse.toml");
-
 /// Every guide, in the order of the page.
 pub(super) const ALL: [Guide; 8] = [
     Guide {
@@ -46,7 +38,7 @@ pub(super) const ALL: [Guide; 8] = [
              the swing early, a wider one lets both buildings pick up speed before they meet.",
             "Above the required width nothing touches. Until then wider is not always safer.",
         ],
-        scene: WIDER,
+        scene: include_str!("../../../assets/view/wider.toml"),
         knobs: &["gap.0"],
         fact: None,
     },
@@ -59,7 +51,7 @@ pub(super) const ALL: [Guide; 8] = [
             "Choose half the time step. The impulse stays, the quotient doubles: it measures the step and no force. Choose a law with a \
              stiffness to get a force.",
         ],
-        scene: IMPULSE,
+        scene: include_str!("../../../assets/view/impulse.toml"),
         knobs: &["step", "method", "law.0"],
         fact: Some(over_the_step),
     },
@@ -72,7 +64,7 @@ pub(super) const ALL: [Guide; 8] = [
             "The answer has a sentence for each direction. The worse one for the buildings comes first: here it has the softer blow, and the old \
              building drifts further and keeps more of it.",
         ],
-        scene: PAIR,
+        scene: include_str!("../../../assets/view/pair.toml"),
         knobs: &["direction", "gap.0"],
         fact: None,
     },
@@ -85,7 +77,7 @@ pub(super) const ALL: [Guide; 8] = [
             "Then drag the stiffness. Ten times the stiffness gives about three times the force here. Nobody knows this stiffness, so \
              the force is no design force.",
         ],
-        scene: PAIR,
+        scene: include_str!("../../../assets/view/pair.toml"),
         knobs: &["law.0", "stiffness.0", "restitution.0"],
         fact: None,
     },
@@ -97,7 +89,7 @@ pub(super) const ALL: [Guide; 8] = [
              still moves less than alone.",
             "Widen both gaps, and the building in the middle yields more. Its neighbours hardly move differently: they are 40 times as heavy.",
         ],
-        scene: LAYOUT_C,
+        scene: include_str!("../../../assets/view/layout-c.toml"),
         knobs: &["gap.0", "gap.1", "yield.1"],
         fact: None,
     },
@@ -110,7 +102,7 @@ pub(super) const ALL: [Guide; 8] = [
             "This page runs the method as the paper describes it, under another reading of the record. Choose half the step: the momenta grow by \
              an eighth to a fifth. Choose the exact method: half as much again as at 5 ms.",
         ],
-        scene: SLIP,
+        scene: include_str!("../../../assets/view/slip.toml"),
         knobs: &["step", "method"],
         fact: Some(momenta),
     },
@@ -123,7 +115,7 @@ pub(super) const ALL: [Guide; 8] = [
             "Drag the damping coefficient. Which one halves the hardest blow? From which on does nothing touch? More is not better: at \
              20 MN·s/m the dampers tie the towers together, and the slow one drifts nearly as far as without them.",
         ],
-        scene: DAMPERS,
+        scene: include_str!("../../../assets/view/dampers.toml"),
         knobs: &["link.0", "gap.0"],
         fact: Some(hardest),
     },
@@ -135,7 +127,7 @@ pub(super) const ALL: [Guide; 8] = [
              which have to carry the blow in bending and shear.",
             "Drag the gap. The warnings compare the shear force of the column that is hit with what one column bears.",
         ],
-        scene: SLAB,
+        scene: include_str!("../../../assets/view/slab.toml"),
         knobs: &["gap.0", "stiffness.0", "scale"],
         fact: None,
     },
@@ -152,7 +144,9 @@ fn momenta(summary: &Summary) -> Option<String> {
 /// The largest impulse of the row.
 fn hardest(summary: &Summary) -> Option<String> {
     let impulses = summary.pairs.iter().filter_map(|pair| Some(pair.largest?.impulse_n_s));
-    let hardest = impulses.reduce(f64::max).map(|impulse| format!("Hardest blow: {} kN·s.", short(1e-3 * impulse)));
+    let hardest = impulses
+        .reduce(f64::max)
+        .map(|impulse| format!("Hardest blow: {} kN·s.", short(1e-3 * impulse)));
     Some(hardest.unwrap_or_else(|| "Nothing touches.".into()))
 }
 

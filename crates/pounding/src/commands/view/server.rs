@@ -70,13 +70,7 @@ impl Reply {
     }
 
     fn send(&self, to: &mut TcpStream) -> io::Result<()> {
-        let reason = match self.status {
-            200 => "OK",
-            403 => "Forbidden",
-            404 => "Not Found",
-            503 => "Service Unavailable",
-            _ => "Refused",
-        };
+        let reason = if self.status == 200 { "OK" } else { "Refused" };
         let head = format!(
             "HTTP/1.1 {} {reason}\r\nContent-Type: {}\r\nContent-Length: {}\r\nConnection: close\r\nCache-Control: no-store\r\n\
              Content-Security-Policy: {POLICY}\r\nX-Content-Type-Options: nosniff\r\nReferrer-Policy: no-referrer\r\n\
@@ -210,7 +204,9 @@ impl Server {
             ("POST", true) if !self.knows(&only(TOKEN)?.unwrap_or_default()) => {
                 Err(Reply::refused(403, "another token: open the address that `pounding view` prints"))
             }
-            ("POST", true) if length > BODY + if head.path == RECORD_CALL { RECORD } else { 0 } => Err(Reply::refused(413, "the request is too long")),
+            ("POST", true) if length > BODY + if head.path == RECORD_CALL { RECORD } else { 0 } => {
+                Err(Reply::refused(413, "the request is too long"))
+            }
             ("POST", true) => Ok(length),
             ("GET", false) if length == 0 => Ok(0),
             _ => Err(Reply::refused(405, "GET of a file, or POST to /api/")),
