@@ -20,6 +20,7 @@ export function readState() {
   const given = new URLSearchParams(location.hash.slice(1));
   const guide = given.get("guide") ?? "";
   const record = given.get("record");
+  /** @type {Object<string, number|string|null>} */
   const knobs = {};
   for (const [id, text] of given) {
     if (["guide", "record", "token"].includes(id)) continue;
@@ -56,6 +57,9 @@ const drawn = crypto.getRandomValues(new Uint32Array(1))[0];
 
 /**
  * Calls the server with the state; `signal` gives up waiting, `keepalive` outlives the page, `file` is a record.
+ * @param {string} token
+ * @param {string} name
+ * @param {{guide: string, knobs: object, record?: string|null}} state
  * @param {{signal?: AbortSignal, keepalive?: boolean, file?: File}} more
  */
 export async function call(token, name, { guide, knobs, record = null }, { signal, keepalive, file } = {}) {

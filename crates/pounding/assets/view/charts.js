@@ -12,9 +12,13 @@ const CLICK = 6;
 /** @typedef {{name: string, values: number[], hue: number, dashed?: boolean}} Series Values in the unit of the panel. */
 
 export class Chart {
+  title; unit; height; width; interval; cursor; pointer; picked; hovered; from = null; time = 0; range = [0, 0];
+  /** @type {Series[]} */ series = [];
+  /** @type {Array<{time: number, value: number, hue: number, words: string}>} */ stems = [];
+
   /** @param {{title: string, unit: string, height: number, seek: (time: number) => void, zoom: (range: [number, number]) => void}} about */
   constructor({ title, unit, height, seek, zoom }) {
-    Object.assign(this, { title, unit, height, series: [], stems: [], time: 0, range: [0, 0], from: null });
+    Object.assign(this, { title, unit, height });
     this.readout = element("span", { class: "readout" });
     this.legend = element("span", { class: "legend" });
     this.canvas = element("div", { class: "canvas" });

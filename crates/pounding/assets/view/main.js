@@ -7,12 +7,15 @@ import { Knobs } from "./knobs.js";
 import { Row, gapsOf } from "./row.js";
 
 const token = takeToken();
+/** @param {string} id @returns {any} */
 const find = (id) => document.getElementById(id);
 const state = readState();
 let about = { record_bytes: 0, file: null, guides: [] };
 let shown = null;
 /** When the knob moved that the next picture answers; the time to that picture stands in an attribute for measurements. */
 let asked = null;
+/** The timer that tells of a long run. */
+let soon;
 
 const time = find("time");
 const row = new Row(find("row"), find("scale"));
@@ -42,9 +45,9 @@ const runner = new Runner(async (wanted, signal) => {
   }
 }, (busy) => {
   document.body.ariaBusy = String(busy);
-  clearTimeout(runner.soon);
+  clearTimeout(soon);
   find("busy").hidden = true;
-  if (busy) runner.soon = setTimeout(() => { find("busy").hidden = false; }, 400);
+  if (busy) soon = setTimeout(() => { find("busy").hidden = false; }, 400);
 });
 
 function fail(error) {
@@ -75,7 +78,7 @@ function show([fact, run]) {
   zoom(range && range[1] <= duration ? range : null);
   requestAnimationFrame(() => {
     if (asked !== null) document.body.dataset.latency = (performance.now() - asked).toFixed(1);
-    document.body.dataset.runs = Number(document.body.dataset.runs ?? 0) + 1;
+    document.body.dataset.runs = String(Number(document.body.dataset.runs ?? 0) + 1);
     asked = null;
   });
 }
@@ -238,7 +241,7 @@ async function shakeUnder(file) {
 }
 
 for (const name of ["dragover", "drop"]) {
-  document.addEventListener(name, (event) => {
+  document.addEventListener(name, (/** @type {any} */ event) => {
     if (!event.dataTransfer?.types.includes("Files")) return;
     event.preventDefault();
     if (name === "drop") shakeUnder(event.dataTransfer.files[0]);

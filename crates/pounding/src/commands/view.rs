@@ -236,9 +236,7 @@ impl View {
             return Err(Refused::that("this scene is in no file: start `pounding view` with one"));
         };
         if call.record.is_some() {
-            return Err(Refused::that(
-                "a dropped record is in no folder: put it beside the scene, name it there, and start `pounding view` again",
-            ));
+            return Err(Refused::that("a dropped record is in no folder: name its file in the scene first"));
         }
         let scene = base.turned(&call.knobs)?;
         base.prepared(&scene, None)?;
@@ -252,9 +250,7 @@ impl View {
                 Err(error) => return Err(Refused::at(path.as_path()).is(format!("cannot be written: {error}"))),
             }
         }
-        Err(Refused::at(file.as_path())
-            .is("has 999 turned scenes beside it")
-            .allowed_is("fewer"))
+        Err(Refused::at(file.as_path()).is("has 999 turned scenes beside it, the most"))
     }
 }
 

@@ -8,7 +8,7 @@ use super::server::CONNECTIONS;
 /// A flag for each run that a connection may have; a solver takes flags that live as long as the process.
 static STOPS: [AtomicBool; CONNECTIONS] = [const { AtomicBool::new(false) }; CONNECTIONS];
 
-/// What a window lets run, and in which window: a report and a run do not stop each other.
+/// A window, and its kind of work: a report and a run do not stop each other.
 type Owner = (u64, Work);
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
