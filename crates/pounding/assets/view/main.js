@@ -41,7 +41,7 @@ const runner = new Runner(async (wanted, signal) => {
     const answer = await (await call(token, "run", wanted, { signal })).json();
     if (wanted.guide === state.guide) show(answer);
   } catch (error) {
-    if (error.name !== "AbortError" && error.status !== 409) fail(error);
+    fail(error);
   }
 }, (busy) => {
   document.body.ariaBusy = String(busy);
@@ -50,10 +50,13 @@ const runner = new Runner(async (wanted, signal) => {
   if (busy) soon = setTimeout(() => { find("busy").hidden = false; }, 400);
 });
 
+/** Tells of an error, unless something later took its place. */
 function fail(error) {
+  if (error.name === "AbortError" || error.status === 409) return;
   const lost = error instanceof Refusal ? error.message : "The program has ended, or cannot be reached: start `pounding view` again.";
   find("fault").textContent = lost;
   find("fault").hidden = false;
+  find("fault").scrollIntoView({ block: "nearest" });
   asked = null;
 }
 
@@ -70,8 +73,7 @@ function show([fact, run]) {
   row.show(player, gapsOf(summary), run.knobs.find((knob) => knob.id === "direction").value);
   if (summary.scene.arrivals_s) find("scale").textContent += " The bases move apart, too: the panel of gaps shows it, and the row does not.";
   find("shaking").textContent = summary.record.file ? `Record: ${summary.record.file}.` : "A motion from a formula.";
-  const guide = about.guides.find((one) => one.key === state.guide);
-  knobs.show(run.knobs, guide?.knobs ?? []);
+  knobs.show(run.knobs, about.guides.find((one) => one.key === state.guide)?.knobs ?? []);
   if (first) start(player);
   const { duration_s: duration } = summary.method;
   instant = Math.min(instant, duration);
@@ -109,8 +111,7 @@ function showCharts({ player, summary, exact_um: exact }) {
   charts.displacements.show({ interval, range: span, series: [...lines, ...beside] });
   // Of every contact the pair of floors that comes closest.
   const openings = player.pairs.map((pair) => pair.opening_um.reduce((least, one) => Math.min(least, one), Infinity));
-  const closest = gapsOf(summary).map((_, contact) => player.pairs.reduce((best, pair, index) => (pair.contact === contact && (best < 0 || openings[index] < openings[best]) ? index : best), -1));
-  const gaps = closest.filter((pair) => pair >= 0);
+  const gaps = gapsOf(summary).map((_, contact) => player.pairs.reduce((best, pair, index) => (pair.contact === contact && (best < 0 || openings[index] < openings[best]) ? index : best), -1)).filter((pair) => pair >= 0);
   charts.gaps.show({ interval, range: span, series: gaps.map((pair, hue) => ({ name: player.pairs[pair].name, values: scaled(player.pairs[pair].opening_um), hue })) });
   const stems = player.collisions.map(({ pair, start_s: start, impulse_n_s: impulse, peak_force_n: force }) => ({
     time: start,
@@ -205,7 +206,7 @@ function button(id, work) {
       find("told").textContent = "…";
       find("told").textContent = await work();
     } catch (error) {
-      find("told").textContent = "";
+      if (error.status !== 409) find("told").textContent = "";
       fail(error);
     }
   });
@@ -233,7 +234,10 @@ window.addEventListener("hashchange", () => { Object.assign(state, readState());
 async function shakeUnder(file) {
   try {
     if (file.size > about.record_bytes) throw new Refusal(413, `${file.name} has more than ${short(about.record_bytes / 1e6, 2)} MB: name it in the scene instead.`);
-    state.record = await (await call(token, "record", state, { file })).text();
+    const { guide } = state;
+    const record = await (await call(token, "record", state, { file })).text();
+    if (guide !== state.guide) return;
+    state.record = record;
     turned();
   } catch (error) {
     fail(error);

@@ -144,10 +144,7 @@ fn momenta(summary: &Summary) -> Option<String> {
 /// The largest impulse of the row.
 fn hardest(summary: &Summary) -> Option<String> {
     let impulses = summary.pairs.iter().filter_map(|pair| Some(pair.largest?.impulse_n_s));
-    let hardest = impulses
-        .reduce(f64::max)
-        .map(|impulse| format!("Hardest blow: {} kN·s.", short(1e-3 * impulse)));
-    Some(hardest.unwrap_or_else(|| "Nothing touches.".into()))
+    Some(format!("Hardest blow: {} kN·s.", short(1e-3 * impulses.reduce(f64::max)?)))
 }
 
 /// The largest impulse over the time step, which the paper calls a force.
