@@ -72,11 +72,9 @@ impl SpectrumIntensities {
         let integral = |periods: Vec<f64>, value: fn(&SpectralValues) -> f64| {
             let values = response_spectrum(record, &periods, 0.05)?;
             let steps = periods.windows(2).zip(values.windows(2));
-            Ok::<f64, Refused>(
-                steps
-                    .map(|(periods, values)| 0.5 * (periods[1] - periods[0]) * (value(&values[0]) + value(&values[1])))
-                    .sum(),
-            )
+            Ok::<f64, Refused>(steps
+                .map(|(periods, values)| 0.5 * (periods[1] - periods[0]) * (value(&values[0]) + value(&values[1])))
+                .sum())
         };
         let tenths = (1..=25).map(|n| 0.1 * f64::from(n)).collect();
         let twentieths = (2..=10).map(|n| 0.05 * f64::from(n)).collect();
