@@ -112,7 +112,7 @@ pub(super) const ALL: [Guide; 8] = [
         text: &[
             "A viscous damper joins each of the four lower floors of two towers. At 0.1 MN·s/m the roof of the quick one gets as hard a blow as \
              without dampers.",
-            "Drag the damping coefficient. Which one halves the hardest blow? From which on does nothing touch? More is not better: at \
+            "Drag the damping coefficient. Which one halves the hardest blow? Which one keeps the towers apart? More is not better: at \
              20 MN·s/m the dampers tie the towers together, and the slow one drifts nearly as far as without them.",
         ],
         scene: include_str!("../../../assets/view/dampers.toml"),
@@ -138,7 +138,7 @@ fn momenta(summary: &Summary) -> Option<String> {
     let momenta = summary.structures.iter();
     let momenta: Option<Vec<_>> = momenta.map(|one| one.numbers.get(FloorQuantity::TransferredMomentumNS)).collect();
     let momenta = momenta?.into_iter().map(|momentum| short(1e-3 * momentum)).collect::<Vec<_>>();
-    Some(format!("Transferred momenta: {} kN·s.", momenta.join(", ")))
+    Some(format!("Transferred momenta from left to right: {} kN·s.", momenta.join(", ")))
 }
 
 /// The largest impulse of the row.
