@@ -10,6 +10,7 @@
 //! |---|---|---|
 //! | `check` | format, lints, rooms, tests, documentation, a part of torture, results | – |
 //! | `check --python` | the Python package: wheel, tests, types, notebooks | – |
+//! | `check --browser` | the page of `view` in Chromium | – |
 //! | `dist` | wheel, sources and a stripped program, tried in a clean environment | `target/dist/` |
 //! | `reproduce` | every table and figure of the paper, and the examples | `results/` |
 //! | `beyond` | the paper's claims under other ground motions | `results/beyond/`; with `--records` `target/beyond/` |
@@ -29,6 +30,7 @@
 #![expect(clippy::print_stdout, clippy::print_stderr, reason = "a program speaks to its user")]
 
 mod beyond;
+mod browser;
 mod check;
 mod fuzz;
 mod python;
@@ -95,6 +97,9 @@ enum Task {
         /// Instead build the Python package and run its tests, types and notebooks; needs Python 3.10 or newer and its package index.
         #[arg(long)]
         python: bool,
+        /// Instead test the page of `view` in a browser; needs chromium, chromium-driver, Python 3.10 or newer and its package index.
+        #[arg(long, conflicts_with = "python")]
+        browser: bool,
     },
     /// Pack the wheel of Python, its sources and a stripped program into target/dist, and try them in a clean environment. Needs Python;
     /// not part of `check`.
@@ -138,8 +143,9 @@ fn main() -> ExitCode {
         Task::Studies { names } => studies::run(&root(), &names),
         Task::Verify(asked) => verify::run(&root(), &asked),
         Task::Rooms => rooms::check(&root()),
-        Task::Check { python: true } => python::check(&root()),
-        Task::Check { python: false } => check::run(&root()),
+        Task::Check { python: true, .. } => python::check(&root()),
+        Task::Check { browser: true, .. } => browser::check(&root()),
+        Task::Check { .. } => check::run(&root()),
         Task::Dist => python::dist(&root()),
         Task::Bench { arguments } => bench(&root(), &arguments),
         Task::Hyperqueue => schedulers::hyperqueue(&root()),

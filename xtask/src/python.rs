@@ -67,11 +67,7 @@ pub(crate) fn check(root: &Path) -> Result<(), String> {
             println!("   left out: {test}, for {package} has no wheel for this machine");
         }
     }
-    let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
-    let build = &mut Command::new(cargo);
-    // Built together with its tests, which use the same features.
-    let program = ["test", "--workspace", "--no-run", "--test", "program"];
-    step(build.args(program), root)?;
+    let program = program(root)?;
     let wheel = wheel(root, &python, Built::ToCheck)?;
     let reinstall = ["install", "--quiet", "--force-reinstall", "--no-deps"];
     step(pip(&python, &reinstall).arg(&wheel), root)?;
@@ -79,8 +75,15 @@ pub(crate) fn check(root: &Path) -> Result<(), String> {
     let package = root.join(PACKAGE);
     let mut tests = Command::new(&python);
     tests.args(["-m", "pytest", "--quiet"]);
-    tests.env("POUNDING_PROGRAM", root.join("target/debug/pounding"));
-    step(&mut tests, &package)
+    step(tests.env("POUNDING_PROGRAM", program), &package)
+}
+
+/// Builds the program together with its tests, which use the same features, and returns its path.
+pub(crate) fn program(root: &Path) -> Result<PathBuf, String> {
+    let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
+    let build = ["test", "--workspace", "--no-run", "--test", "program"];
+    step(Command::new(cargo).args(build), root)?;
+    Ok(root.join("target/debug/pounding"))
 }
 
 /// Packs wheel, source distribution and a stripped program into `target/dist`, and tries them in an empty environment.
@@ -145,7 +148,7 @@ fn stubs(root: &Path, python: &Path) -> Result<(), String> {
 }
 
 /// The Python of an environment below `target`, created if it is missing.
-fn environment(root: &Path, name: &str) -> Result<PathBuf, String> {
+pub(crate) fn environment(root: &Path, name: &str) -> Result<PathBuf, String> {
     let home = root.join("target").join(format!("venv-{name}"));
     let python = home.join(if cfg!(windows) { "Scripts/python.exe" } else { "bin/python" });
     if !python.exists() {
@@ -172,7 +175,7 @@ fn maturin(root: &Path, python: &Path, built: Built) -> Command {
     command
 }
 
-fn pip(python: &Path, arguments: &[&str]) -> Command {
+pub(crate) fn pip(python: &Path, arguments: &[&str]) -> Command {
     let mut command = Command::new(python);
     command.args(["-m", "pip"]).args(arguments);
     command.env("PIP_DISABLE_PIP_VERSION_CHECK", "1");

@@ -1,11 +1,11 @@
 //! A run as data for a page that plays it: where floors stand, how they move, and when they touch.
 
-use pounding_scene::{Error, Extras, FloorPair, Floors, RunResult, Simulation};
+use pounding_scene::{Error, Extras, FloorPair, Floors, Link, RunResult, Simulation, Standing};
 use pounding_solver::Collision;
 use serde::Serialize;
 
 use crate::figures::elevation;
-use crate::{HistoryQuantity, Report, history_of};
+use crate::{HistoryQuantity, Report, history_of, sketch};
 
 /// Most states of a floor: finer ones are not seen on a screen.
 const MOST_STATES: f64 = 4000.0;
@@ -24,6 +24,8 @@ pub struct Player {
     floors: Vec<PlayedFloor>,
     /// Pairs that can touch.
     pairs: Vec<PlayedPair>,
+    /// Both ends of every link, the left one first.
+    links: Vec<[PlayedEnd; 2]>,
     /// Collisions, in the order of their beginning.
     collisions: Vec<PlayedCollision>,
     /// Number of collisions that are left out.
@@ -53,6 +55,17 @@ struct PlayedPair {
     at_right: bool,
     /// Open width of the gap \[µm\]; negative while the floors overlap.
     opening_um: Vec<i64>,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+struct PlayedEnd {
+    /// Index of its structure.
+    structure: usize,
+    /// Index of its floor; absent at the ground.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    floor: Option<usize>,
+    /// Height above the ground \[m\].
+    elevation_m: f64,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
@@ -112,6 +125,7 @@ impl Player {
             structures: floors.structures().to_vec(),
             floors: all.collect(),
             pairs: pairs.collect(),
+            links: prepared.scene().links.iter().filter_map(|link| ends(prepared, link)).collect(),
             collisions: collisions.iter().map(PlayedCollision::of).collect(),
             left_out,
         }
@@ -144,6 +158,17 @@ impl PlayedCollision {
             peak_force_n: one.peak_force,
         }
     }
+}
+
+fn ends(prepared: &Simulation, link: &Link) -> Option<[PlayedEnd; 2]> {
+    let (floors, ends) = (prepared.floors(), link.ends(prepared.scene()).ok()?);
+    let heights = sketch::heights(floors, ends);
+    let played = |(Standing { structure, floor }, elevation_m)| PlayedEnd {
+        structure,
+        floor: floor.and_then(|floor| floors.of_structure(structure).get(floor).copied()),
+        elevation_m,
+    };
+    Some([(ends[0], heights[0]), (ends[1], heights[1])].map(played))
 }
 
 /// The slab of a pair beside a column or a wall, else the left one, and whether its right side touches.

@@ -15,24 +15,27 @@ export function takeToken() {
   try { return localStorage.getItem(KEY) ?? ""; } catch { return ""; }
 }
 
-/** @returns {{guide: string, knobs: Object<string, number|string|null>}} */
+/** @returns {{guide: string, record: string|null, knobs: Object<string, number|string|null>}} The record is the key of a dropped one. */
 export function readState() {
   const given = new URLSearchParams(location.hash.slice(1));
   const guide = given.get("guide") ?? "";
+  const record = given.get("record");
+  /** @type {Object<string, number|string|null>} */
   const knobs = {};
   for (const [id, text] of given) {
-    if (id === "guide" || id === "token") continue;
+    if (["guide", "record", "token"].includes(id)) continue;
     knobs[id] = text === "none" ? null : /^-?[\d.]+(e[-+]?\d+)?$/i.test(text) && !WORDS.test(id) ? Number(text) : text;
   }
-  return { guide, knobs };
+  return { guide, record, knobs };
 }
 
 /** Knobs whose values are words, also where they look like numbers. */
 const WORDS = /^(law|direction|method|step)\b/;
 
-export function writeState({ guide, knobs }) {
+export function writeState({ guide, record, knobs }) {
   const state = new URLSearchParams();
   if (guide) state.set("guide", guide);
+  if (record) state.set("record", record);
   for (const [id, value] of Object.entries(knobs)) state.set(id, value === null ? "none" : String(value));
   setAddress(state);
 }
@@ -52,9 +55,16 @@ export class Refusal extends Error {
 
 const drawn = crypto.getRandomValues(new Uint32Array(1))[0];
 
-/** Calls the server with the state; `signal` gives up waiting, `keepalive` outlives the page. */
-export async function call(token, name, { guide, knobs }, signal, keepalive = false) {
-  const body = JSON.stringify({ window: drawn, guide, knobs });
+/**
+ * Calls the server with the state; `signal` gives up waiting, `keepalive` outlives the page, `file` is a record.
+ * @param {string} token
+ * @param {string} name
+ * @param {{guide: string, knobs: object, record?: string|null}} state
+ * @param {{signal?: AbortSignal, keepalive?: boolean, file?: File}} more
+ */
+export async function call(token, name, { guide, knobs, record = null }, { signal, keepalive, file } = {}) {
+  const state = JSON.stringify({ window: drawn, guide, knobs, record: file ? file.name : record });
+  const body = file ? new Blob([state, "\n", file]) : state;
   const answer = await fetch(`/api/${name}`, { method: "POST", headers: { "X-Pounding-Token": token }, body, signal, keepalive });
   if (!answer.ok) throw new Refusal(answer.status, await answer.text());
   return answer;

@@ -1,4 +1,4 @@
-// Panels over time: histories as lines, collisions as stems. A line follows the time; the pointer reads values anywhere.
+// Panels over time: histories as lines, collisions as stems. A line follows the time; the pointer reads values anywhere, and picks a range.
 
 import { at, element, short, svg, ticks } from "./draw.js";
 
@@ -6,29 +6,45 @@ const LEFT = 52;
 const RIGHT = 16;
 const TOP = 8;
 const BOTTOM = 26;
+/** A press that moves less is a click [px]. */
+const CLICK = 6;
 
 /** @typedef {{name: string, values: number[], hue: number, dashed?: boolean}} Series Values in the unit of the panel. */
 
 export class Chart {
-  /** @param {{title: string, unit: string, height: number, seek: (time: number) => void}} about */
-  constructor({ title, unit, height, seek }) {
-    Object.assign(this, { title, unit, height, seek, series: [], stems: [], time: 0 });
+  title; unit; height; width; interval; cursor; pointer; picked; hovered; from = null; time = 0; range = [0, 0];
+  /** @type {Series[]} */ series = [];
+  /** @type {Array<{time: number, value: number, hue: number, words: string}>} */ stems = [];
+
+  /** @param {{title: string, unit: string, height: number, seek: (time: number) => void, zoom: (range: [number, number]) => void}} about */
+  constructor({ title, unit, height, seek, zoom }) {
+    Object.assign(this, { title, unit, height });
     this.readout = element("span", { class: "readout" });
     this.legend = element("span", { class: "legend" });
     this.canvas = element("div", { class: "canvas" });
     this.place = element("figure", { class: "chart" }, element("figcaption", {}, element("strong", {}, title), this.legend, this.readout), this.canvas);
     new ResizeObserver(() => this.draw()).observe(this.canvas);
     this.canvas.addEventListener("pointermove", (event) => {
-      if (event.buttons === 1) this.seek(this.under(event));
+      if (event.buttons !== 1) this.from = null;
       this.read(this.under(event));
     });
-    this.canvas.addEventListener("pointerdown", (event) => this.seek(this.under(event)));
-    this.canvas.addEventListener("pointerleave", () => this.read(null));
+    this.canvas.addEventListener("pointerdown", (event) => {
+      this.from = this.under(event);
+      this.canvas.setPointerCapture(event.pointerId);
+    });
+    this.canvas.addEventListener("pointerup", (event) => {
+      const [from, to] = [this.from, this.under(event)];
+      this.from = null;
+      if (from === null) return;
+      if (Math.abs(this.x(to) - this.x(from)) < CLICK) seek(to);
+      else zoom([Math.min(from, to), Math.max(from, to)]);
+    });
+    for (const end of ["pointerleave", "pointercancel"]) this.canvas.addEventListener(end, () => { this.from = null; this.read(null); });
   }
 
-  /** @param {{interval: number, duration: number, series?: Series[], stems?: Array<{time: number, value: number, hue: number, words: string}>}} data */
-  show({ interval, duration, series = [], stems = [] }) {
-    Object.assign(this, { interval, duration, series, stems });
+  /** @param {{interval: number, range: [number, number], series?: Series[], stems?: Array<{time: number, value: number, hue: number, words: string}>}} data */
+  show({ interval, range, series = [], stems = [] }) {
+    Object.assign(this, { interval, range, series, stems });
     const named = series.filter((one) => !one.dashed);
     this.legend.replaceChildren(...named.map((one) => element("span", { class: `key hue${one.hue % 4}` }, one.name)), ...(named.length < series.length ? [element("span", {}, "dashed: exact")] : []));
     this.draw();
@@ -36,30 +52,35 @@ export class Chart {
 
   draw() {
     const width = this.canvas.clientWidth;
-    if (!width || !this.duration) return;
+    const [start, end] = this.range;
+    if (!width || end <= start) return;
     this.width = width;
-    const { height } = this;
+    const { height, interval } = this;
+    const first = Math.max(0, Math.floor(start / interval));
+    const series = this.series.map((one) => ({ ...one, values: one.values.slice(first, Math.ceil(end / interval) + 1) }));
+    const inside = this.stems.filter(({ time }) => time >= start && time <= end);
     let [least, most] = [0, 0];
-    for (const { values } of this.series) for (const value of values) [least, most] = [Math.min(least, value), Math.max(most, value)];
-    for (const { value } of this.stems) most = Math.max(most, value);
+    for (const { values } of series) for (const value of values) [least, most] = [Math.min(least, value), Math.max(most, value)];
+    for (const { value } of inside) most = Math.max(most, value);
     if (most <= least) most = least + 1;
     const y = (value) => TOP + ((most - value) / (most - least)) * (height - TOP - BOTTOM);
     const marks = ticks(least, most, height > 130 ? 5 : 3).flatMap((value) => [
       svg("path", { class: value === 0 ? "axis" : "grid", d: `M${LEFT} ${y(value)}H${width - RIGHT}` }),
       svg("text", { x: LEFT - 6, y: y(value) + 4, class: "left" }, short(value, 3)),
     ]);
-    const times = ticks(0, this.duration, Math.max(3, width / 110)).map((time) => svg("text", { x: this.x(time), y: height - 8, class: "middle" }, `${short(time)} s`));
-    const lines = this.series.map(({ values, hue, dashed }) => svg("path", { class: `line hue${hue % 4}${dashed ? " dashed" : ""}`, d: this.path(values, y) }));
-    const stems = this.stems.map(({ time, value, hue }) => svg("path", { class: `stem hue${hue % 4}`, d: `M${this.x(time)} ${y(0)}V${y(value)}` }));
+    const times = ticks(start, end, Math.max(3, width / 110)).map((time) => svg("text", { x: this.x(time), y: height - 8, class: "middle" }, `${short(time)} s`));
+    const lines = series.map(({ values, hue, dashed }) => svg("path", { class: `line hue${hue % 4}${dashed ? " dashed" : ""}`, d: this.path(values, first, y) }));
+    const stems = inside.map(({ time, value, hue }) => svg("path", { class: `stem hue${hue % 4}`, d: `M${this.x(time)} ${y(0)}V${y(value)}` }));
     this.cursor = svg("path", { class: "cursor" });
     this.pointer = svg("path", { class: "pointer" });
+    this.picked = svg("path", { class: "picked" });
     const words = `${this.title} in ${this.unit} over time`;
-    this.canvas.replaceChildren(svg("svg", { class: "film", width, height, role: "img", "aria-label": words }, ...marks, ...times, ...lines, ...stems, this.cursor, this.pointer));
+    this.canvas.replaceChildren(svg("svg", { class: "film", width, height, role: "img", "aria-label": words }, ...marks, ...times, this.picked, ...lines, ...stems, this.cursor, this.pointer));
     this.frame(this.time);
   }
 
   /** A line through the least and the largest value of every pixel. */
-  path(values, y) {
+  path(values, first, y) {
     const perPixel = Math.max(1, Math.floor(values.length / (this.width - LEFT - RIGHT)));
     let path = "";
     for (let from = 0; from < values.length; from += perPixel) {
@@ -69,19 +90,21 @@ export class Chart {
         if (values[index] > values[high]) high = index;
       }
       for (const index of low < high ? [low, high] : low > high ? [high, low] : [low]) {
-        path += `${path ? "L" : "M"}${this.x(index * this.interval).toFixed(1)} ${y(values[index]).toFixed(1)}`;
+        path += `${path ? "L" : "M"}${this.x((first + index) * this.interval).toFixed(1)} ${y(values[index]).toFixed(1)}`;
       }
     }
     return path;
   }
 
   x(time) {
-    return LEFT + (time / this.duration) * (this.width - LEFT - RIGHT);
+    const [start, end] = this.range;
+    return LEFT + Math.min(Math.max((time - start) / (end - start), 0), 1) * (this.width - LEFT - RIGHT);
   }
 
   under(event) {
     const x = event.clientX - this.canvas.getBoundingClientRect().left;
-    return Math.min(Math.max(((x - LEFT) / (this.width - LEFT - RIGHT)) * this.duration, 0), this.duration);
+    const [start, end] = this.range;
+    return start + Math.min(Math.max((x - LEFT) / (this.width - LEFT - RIGHT), 0), 1) * (end - start);
   }
 
   /** Moves the line to an instant. */
@@ -95,6 +118,7 @@ export class Chart {
   read(time) {
     this.hovered = time !== null;
     this.pointer?.setAttribute("d", this.hovered ? `M${this.x(time)} ${TOP}V${this.height - BOTTOM}` : "");
+    this.picked?.setAttribute("d", this.from === null ? "" : `M${this.x(this.from)} ${TOP}H${this.x(time)}V${this.height - BOTTOM}H${this.x(this.from)}Z`);
     this.readout.textContent = this.words(time ?? this.time);
   }
 

@@ -7,19 +7,22 @@ import { Knobs } from "./knobs.js";
 import { Row, gapsOf } from "./row.js";
 
 const token = takeToken();
+/** @param {string} id @returns {any} */
 const find = (id) => document.getElementById(id);
 const state = readState();
-let about = { scene: "", file: null, guides: [] };
+let about = { record_bytes: 0, file: null, guides: [] };
 let shown = null;
 /** When the knob moved that the next picture answers; the time to that picture stands in an attribute for measurements. */
 let asked = null;
+/** The timer that tells of a long run. */
+let soon;
 
 const time = find("time");
 const row = new Row(find("row"), find("scale"));
 const charts = {
-  displacements: new Chart({ title: "Displacement", unit: "mm", height: 190, seek }),
-  gaps: new Chart({ title: "Open gap", unit: "mm", height: 130, seek }),
-  impacts: new Chart({ title: "Impulses", unit: "kN·s", height: 120, seek }),
+  displacements: new Chart({ title: "Displacement", unit: "mm", height: 190, seek, zoom }),
+  gaps: new Chart({ title: "Open gap", unit: "mm", height: 130, seek, zoom }),
+  impacts: new Chart({ title: "Impulses", unit: "kN·s", height: 120, seek, zoom }),
 };
 find("charts").append(...Object.values(charts).map((chart) => chart.place));
 const knobs = new Knobs(find("knobs"), (id, value) => {
@@ -30,26 +33,30 @@ const knobs = new Knobs(find("knobs"), (id, value) => {
 function turned() {
   asked ??= performance.now();
   writeState(state);
-  runner.ask({ guide: state.guide, knobs: { ...state.knobs } });
+  runner.ask({ ...state, knobs: { ...state.knobs } });
 }
 
 const runner = new Runner(async (wanted, signal) => {
   try {
-    const answer = await (await call(token, "run", wanted, signal)).json();
+    const answer = await (await call(token, "run", wanted, { signal })).json();
     if (wanted.guide === state.guide) show(answer);
   } catch (error) {
-    if (error.name !== "AbortError" && error.status !== 409) fail(error);
+    fail(error);
   }
 }, (busy) => {
-  clearTimeout(runner.soon);
+  document.body.ariaBusy = String(busy);
+  clearTimeout(soon);
   find("busy").hidden = true;
-  if (busy) runner.soon = setTimeout(() => { find("busy").hidden = false; }, 400);
+  if (busy) soon = setTimeout(() => { find("busy").hidden = false; }, 400);
 });
 
+/** Tells of an error, unless something later took its place. */
 function fail(error) {
+  if (error.name === "AbortError" || error.status === 409) return;
   const lost = error instanceof Refusal ? error.message : "The program has ended, or cannot be reached: start `pounding view` again.";
   find("fault").textContent = lost;
   find("fault").hidden = false;
+  find("fault").scrollIntoView({ block: "nearest" });
   asked = null;
 }
 
@@ -65,15 +72,15 @@ function show([fact, run]) {
   showAnswer(run);
   row.show(player, gapsOf(summary), run.knobs.find((knob) => knob.id === "direction").value);
   if (summary.scene.arrivals_s) find("scale").textContent += " The bases move apart, too: the panel of gaps shows it, and the row does not.";
-  showCharts(run);
-  const guide = about.guides.find((one) => one.key === state.guide);
-  knobs.show(run.knobs, guide?.knobs ?? []);
-  time.max = summary.method.duration_s;
+  find("shaking").textContent = summary.record.file ? `Record: ${summary.record.file}.` : "A motion from a formula.";
+  knobs.show(run.knobs, about.guides.find((one) => one.key === state.guide)?.knobs ?? []);
   if (first) start(player);
-  seek(Math.min(instant, summary.method.duration_s));
+  const { duration_s: duration } = summary.method;
+  instant = Math.min(instant, duration);
+  zoom(range && range[1] <= duration ? range : null);
   requestAnimationFrame(() => {
     if (asked !== null) document.body.dataset.latency = (performance.now() - asked).toFixed(1);
-    document.body.dataset.runs = Number(document.body.dataset.runs ?? 0) + 1;
+    document.body.dataset.runs = String(Number(document.body.dataset.runs ?? 0) + 1);
     asked = null;
   });
 }
@@ -96,25 +103,23 @@ function showAnswer({ answer, gaps, player }) {
 
 function showCharts({ player, summary, exact_um: exact }) {
   const { interval_s: interval } = player;
-  const duration = summary.method.duration_s;
+  const span = range ?? [0, summary.method.duration_s];
   const scaled = (values) => values.map((one) => one * 1e-3);
   const roofs = player.structures.map((_, one) => player.floors.findLastIndex((floor) => floor.structure === one && !floor.is_wall)).filter((one) => one >= 0);
-  const hues = new Map(roofs.map((roof, hue) => [roof, hue]));
-  const lines = roofs.map((roof) => ({ name: player.floors[roof].name, values: scaled(player.floors[roof].displacement_um), hue: hues.get(roof) }));
-  const beside = exact ? roofs.map((roof) => ({ name: `${player.floors[roof].name}, exact,`, values: scaled(exact[roof]), hue: hues.get(roof), dashed: true })) : [];
-  charts.displacements.show({ interval, duration, series: [...lines, ...beside] });
+  const lines = roofs.map((roof, hue) => ({ name: player.floors[roof].name, values: scaled(player.floors[roof].displacement_um), hue }));
+  const beside = exact ? roofs.map((roof, hue) => ({ name: `${player.floors[roof].name}, exact,`, values: scaled(exact[roof]), hue, dashed: true })) : [];
+  charts.displacements.show({ interval, range: span, series: [...lines, ...beside] });
   // Of every contact the pair of floors that comes closest.
   const openings = player.pairs.map((pair) => pair.opening_um.reduce((least, one) => Math.min(least, one), Infinity));
-  const closest = gapsOf(summary).map((_, contact) => player.pairs.reduce((best, pair, index) => (pair.contact === contact && (best < 0 || openings[index] < openings[best]) ? index : best), -1));
-  const gaps = closest.filter((pair) => pair >= 0);
-  charts.gaps.show({ interval, duration, series: gaps.map((pair, hue) => ({ name: player.pairs[pair].name, values: scaled(player.pairs[pair].opening_um), hue })) });
+  const gaps = gapsOf(summary).map((_, contact) => player.pairs.reduce((best, pair, index) => (pair.contact === contact && (best < 0 || openings[index] < openings[best]) ? index : best), -1)).filter((pair) => pair >= 0);
+  charts.gaps.show({ interval, range: span, series: gaps.map((pair, hue) => ({ name: player.pairs[pair].name, values: scaled(player.pairs[pair].opening_um), hue })) });
   const stems = player.collisions.map(({ pair, start_s: start, impulse_n_s: impulse, peak_force_n: force }) => ({
     time: start,
     value: 1e-3 * impulse,
     hue: player.pairs[pair].contact,
     words: `${start.toFixed(3)} s, ${player.pairs[pair].name}: ${short(1e-3 * impulse)} kN·s${force === undefined ? ", impulsive" : `, ${Number((1e-3 * force).toPrecision(2))} kN`}`,
   }));
-  charts.impacts.show({ interval, duration, stems });
+  charts.impacts.show({ interval, range: span, stems });
 }
 
 // ---- Time ----
@@ -123,6 +128,8 @@ let playing = false;
 let last = null;
 /** The instant that is shown [s]; the slider knows it in its steps alone. */
 let instant = 0;
+/** The range that is zoomed to [s]; without it the whole run. */
+let range = null;
 
 /** Begins shortly before the hardest collision: moving, unless less motion is asked for. */
 function start(player) {
@@ -144,8 +151,7 @@ function tick(now) {
   const passed = last === null ? 0 : (now - last) / 1000;
   last = now;
   const next = instant + passed * Number(find("speed").value);
-  const end = Number(time.max);
-  seek(next >= end ? 0 : next);
+  seek(next >= Number(time.max) ? Number(time.min) : next);
   requestAnimationFrame(tick);
 }
 
@@ -157,6 +163,22 @@ function seek(to) {
   for (const chart of Object.values(charts)) chart.frame(to);
   time.setAttribute("aria-valuetext", charts.displacements.words(to));
 }
+
+/** Shows a range of the histories, through which the slider and the motion go, too. */
+function zoom(to) {
+  range = to && to[1] - to[0] < shown.summary.method.duration_s ? to : null;
+  [time.min, time.max] = range ?? [0, shown.summary.method.duration_s];
+  find("whole").hidden = !range;
+  showCharts(shown);
+  seek(range && (instant < range[0] || instant > range[1]) ? range[0] : instant);
+}
+
+find("whole").addEventListener("click", () => { zoom(null); find("closer").focus(); });
+find("closer").addEventListener("click", () => {
+  const half = (time.max - time.min) / 4;
+  const middle = Math.min(Math.max(instant, Number(time.min) + half), time.max - half);
+  zoom([middle - half, middle + half]);
+});
 
 time.addEventListener("input", () => { play(false); seek(Number(time.value)); });
 find("play").addEventListener("click", () => play(!playing));
@@ -171,8 +193,8 @@ function showGuide() {
 }
 
 function go(guide) {
-  Object.assign(state, { guide, knobs: {} });
-  shown = null;
+  Object.assign(state, { guide, record: null, knobs: {} });
+  [shown, range] = [null, null];
   showGuide();
   turned();
 }
@@ -184,7 +206,7 @@ function button(id, work) {
       find("told").textContent = "…";
       find("told").textContent = await work();
     } catch (error) {
-      find("told").textContent = "";
+      if (error.status !== 409) find("told").textContent = "";
       fail(error);
     }
   });
@@ -204,8 +226,36 @@ button("report", async () => {
   return "The report is in your downloads.";
 });
 find("reset").addEventListener("click", () => go(state.guide));
-window.addEventListener("pagehide", () => { call(token, "stop", state, undefined, true).catch(() => {}); });
+window.addEventListener("pagehide", () => { call(token, "stop", { guide: "", knobs: {} }, { keepalive: true }).catch(() => {}); });
 window.addEventListener("hashchange", () => { Object.assign(state, readState()); showGuide(); turned(); });
+
+// ---- A record from the user's disk ----
+
+async function shakeUnder(file) {
+  try {
+    if (file.size > about.record_bytes) throw new Refusal(413, `${file.name} has more than ${short(about.record_bytes / 1e6, 2)} MB: name it in the scene instead.`);
+    const { guide } = state;
+    const record = await (await call(token, "record", state, { file })).text();
+    if (guide !== state.guide) return;
+    state.record = record;
+    turned();
+  } catch (error) {
+    fail(error);
+  }
+}
+
+for (const name of ["dragover", "drop"]) {
+  document.addEventListener(name, (/** @type {any} */ event) => {
+    if (!event.dataTransfer?.types.includes("Files")) return;
+    event.preventDefault();
+    if (name === "drop") shakeUnder(event.dataTransfer.files[0]);
+  });
+}
+find("choose").addEventListener("click", () => find("file").click());
+find("file").addEventListener("change", () => {
+  if (find("file").files.length) shakeUnder(find("file").files[0]);
+  find("file").value = "";
+});
 
 try {
   about = await (await call(token, "guides", { guide: "", knobs: {} })).json();

@@ -10,6 +10,9 @@ const BELOW = 40;
 /** Largest displacement and widest gap in the picture. */
 const SWAY = 44;
 const OPEN = 70;
+/** How far a link reaches into a structure, and how far below its floor it is drawn. */
+const HELD = 14;
+const UNDER = 8;
 const TIMES = [1, 2, 5, 10, 20, 50, 100, 200, 500, 1000];
 /** How long a flash stays after floors part [s]. */
 const GLOW = 0.35;
@@ -37,7 +40,7 @@ export class Row {
     }
     this.height = (floor) => ABOVE + TALL - up * floor.elevation_m;
     this.build();
-    this.caption.textContent = `Displacements and gaps are drawn ${this.times === 1 ? "in the scale of" : `${this.times} times as large as`} heights. A flash grows with the impulse. Shaken ${direction}.`;
+    this.caption.textContent = `Displacements and gaps are drawn ${this.times === 1 ? "in the scale of" : `${this.times} times as large as`} heights. A flash grows with the impulse.${player.links.length ? " Blue lines are links." : ""} Shaken ${direction}.`;
   }
 
   build() {
@@ -56,6 +59,7 @@ export class Row {
       this.storeys.push({ index, shape, slab, below: below.get(floor.structure) });
       below.set(floor.structure, index);
     });
+    this.links = player.links.map((ends) => ({ ends, line: svg("path", { class: "link" }) }));
     this.flashes = player.pairs.map(() => svg("circle", { class: "flash", r: 0 }));
     const names = player.structures.map((name, one) => svg("text", { x: lefts[one] + WIDE / 2, y: ground + 18, class: "name" }, name.length > 15 ? `${name.slice(0, 14)}…` : name));
     this.clock = svg("text", { x: width / 2, y: ground + 35, class: "clock" });
@@ -65,6 +69,7 @@ export class Row {
       ...drawnWalls,
       ...this.storeys.flatMap(({ shape, slab }) => [shape, slab]),
       svg("path", { class: "ground", d: `M0 ${ground}H${width}` }),
+      ...this.links.map(({ line }) => line),
       ...this.flashes,
       ...names,
       this.clock,
@@ -88,6 +93,14 @@ export class Row {
       const x = (side, by) => (left + side * WIDE + by).toFixed(2);
       shape.setAttribute("d", `M${x(0, foot)} ${low}H${x(1, foot)}L${x(1, moved[index])} ${top}H${x(0, moved[index])}Z`);
       slab.setAttribute("d", `M${x(0, moved[index])} ${top}H${x(1, moved[index])}`);
+    }
+    for (const { ends: [one, other], line } of this.links) {
+      const isInside = one.structure === other.structure;
+      const end = (own, atRight) => {
+        const x = lefts[own.structure] + (atRight ? WIDE - HELD : HELD) + (moved[own.floor] ?? 0);
+        return `${x.toFixed(2)} ${this.height(own) + (own.elevation_m > 0 ? UNDER : 0)}`;
+      };
+      line.setAttribute("d", `M${end(one, !isInside)}L${end(other, isInside)}`);
     }
     this.flash(time, moved);
     this.clock.textContent = `${time.toFixed(2)} s`;

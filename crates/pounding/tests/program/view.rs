@@ -70,14 +70,26 @@ impl Serving {
 
     /// Sends a call as the page does.
     fn call(&self, name: &str, window: u64, guide: &str, knobs: &Value) -> (u16, String) {
-        let body = json!({"window": window, "guide": guide, "knobs": knobs}).to_string();
+        self.called(
+            name,
+            json!({"window": window, "guide": guide, "knobs": knobs}).to_string().as_bytes(),
+        )
+    }
+
+    /// Sends a call with the name or the key of a dropped record, and the record.
+    fn under(&self, record: &str, name: &str, bytes: &[u8]) -> (u16, String) {
+        let call = json!({"window": 1, "guide": "", "knobs": {}, "record": record}).to_string();
+        self.called(name, &[call.as_bytes(), bytes].join(&b'\n'))
+    }
+
+    fn called(&self, name: &str, body: &[u8]) -> (u16, String) {
         let head = format!(
             "POST /api/{name} HTTP/1.1\r\nHost: {host}\r\nOrigin: http://{host}\r\nX-Pounding-Token: {}\r\nContent-Length: {}\r\n\r\n",
             self.token,
             body.len(),
             host = self.host,
         );
-        self.sent((head + &body).as_bytes())
+        self.sent(&[head.as_bytes(), body].concat())
     }
 
     /// The sentence of a guide, and a run.
@@ -96,6 +108,29 @@ fn two(test: &str) -> std::path::PathBuf {
     fs::copy(record, folder.join("record.csv")).expect("the record is there");
     fs::write(folder.join("scene.json"), good_scene().to_string()).expect("a disk");
     folder
+}
+
+/// A record of 10 s that changes its direction twice in a number of samples.
+fn square_wave(period: i32) -> String {
+    let samples = (0..1000).map(|index| {
+        format!(
+            "{},{}\n",
+            f64::from(index) / 100.0,
+            if index % period < period / 2 { 3 } else { -3 }
+        )
+    });
+    "time_s,acceleration_m_per_s2\n".to_owned() + &samples.collect::<Vec<_>>().concat()
+}
+
+/// Largest displacement of a floor \[m\].
+fn peak(run: &Value, floor: usize) -> f64 {
+    let peak = run["summary"]["structures"][floor]["peak_displacement_m"].as_f64();
+    peak.expect("a peak").abs()
+}
+
+fn collisions(run: &Value) -> u64 {
+    let pairs = run["summary"]["pairs"].as_array().expect("pairs").iter();
+    pairs.map(|pair| pair["collisions"].as_u64().expect("a count")).sum()
 }
 
 #[test]
@@ -274,6 +309,41 @@ fn extreme_the_server_bears_long_and_many_requests() {
 }
 
 #[test]
+fn reference_a_dropped_record_shakes_the_scene_and_is_written_nowhere() {
+    let folder = two("view_record");
+    let mut scene = good_scene();
+    scene["record"]["file"] = json!("other.csv");
+    let other = square_wave(50);
+    let serving = Serving::of(&folder, &["scene.json"]);
+    let (status, key) = serving.under("other.csv", "record", other.as_bytes());
+    assert_eq!(status, 200, "{key}");
+    let (status, run) = serving.under(&key, "run", b"");
+    assert_eq!(status, 200, "{run}");
+    let run: Value = serde_json::from_str(&run).expect("JSON");
+    assert_eq!(serving.under(&key, "save", b"").0, 422);
+    assert_eq!(fs::read_dir(&folder).expect("a folder").count(), 2, "nothing is written");
+
+    fs::write(folder.join("other.csv"), &other).expect("a disk");
+    fs::write(folder.join("other.json"), scene.to_string()).expect("a disk");
+    let printed: Value = serde_json::from_str(&pounding(&folder, &["run", "other.json", "--json"]).stdout).expect("a summary");
+    assert_eq!(run[1]["summary"], printed);
+
+    // A wrong file is refused in the words of the reader, and its name opens no file.
+    for (name, bytes) in [("letter.txt", &b"Dear friend"[..]), ("record.csv", b""), ("other.csv", b"\0\0\0\0")] {
+        let (status, said) = serving.under(name, "record", bytes);
+        assert_eq!(status, 422, "{name}: {said}");
+        assert!(said.contains(name), "{said}");
+    }
+    assert_eq!(serving.under("none", "run", b"").0, 410);
+    assert_eq!(serving.under("large.csv", "record", &vec![b'0'; 9 << 20]).0, 413);
+    // Only the last records are kept.
+    for n in 0..4 {
+        assert_eq!(serving.under(&format!("{n}.csv"), "record", other.as_bytes()).0, 200);
+    }
+    assert_eq!(serving.under(&key, "run", b"").0, 410);
+}
+
+#[test]
 fn extreme_the_latest_run_of_a_window_stops_the_one_before() {
     let folder = folder("view_latest");
     // The damper holds the pair together: this run has no end.
@@ -283,12 +353,7 @@ fn extreme_the_latest_run_of_a_window_stops_the_one_before() {
     scene["budget"] = json!({"pieces": 1e30});
     scene["method"] = json!("exact");
     fs::write(folder.join("scene.json"), scene.to_string()).expect("a disk");
-    let samples = (0..1000).map(|index| format!("{},{}\n", f64::from(index) / 100.0, if index % 100 < 50 { 3 } else { -3 }));
-    fs::write(
-        folder.join("record.csv"),
-        format!("time_s,acceleration_m_per_s2\n{}", samples.collect::<String>()),
-    )
-    .expect("a disk");
+    fs::write(folder.join("record.csv"), square_wave(100)).expect("a disk");
     let serving = Serving::of(&folder, &["scene.json"]);
     thread::scope(|scope| {
         let endless = scope.spawn(|| serving.call("run", 7, "", &json!({})));
@@ -297,6 +362,14 @@ fn extreme_the_latest_run_of_a_window_stops_the_one_before() {
         assert_eq!(serving.call("run", 8, "", &apart).0, 200, "another window");
         assert!(!endless.is_finished(), "another window stops nothing");
         assert_eq!(serving.call("run", 7, "", &apart).0, 200);
+        assert_eq!(endless.join().expect("an answer").0, 409);
+
+        // A report and a run do not stop each other; the latest report wins.
+        let endless = scope.spawn(|| serving.call("report", 7, "", &json!({})));
+        thread::sleep(Duration::from_millis(500));
+        assert_eq!(serving.call("run", 7, "", &apart).0, 200);
+        assert!(!endless.is_finished(), "a run stops no report");
+        assert_eq!(serving.call("report", 7, "", &apart).0, 200);
         assert_eq!(endless.join().expect("an answer").0, 409);
 
         // A window that closes stops its run.
@@ -314,10 +387,6 @@ fn reference_every_guide_shows_what_it_says() {
     let (status, about) = serving.call("guides", 1, "", &json!({}));
     assert_eq!(status, 200, "{about}");
     let about: Value = serde_json::from_str(&about).expect("JSON");
-    let collisions = |run: &Value| {
-        let pairs = run["summary"]["pairs"].as_array().expect("pairs").iter();
-        pairs.map(|pair| pair["collisions"].as_u64().expect("a count")).sum::<u64>()
-    };
     for guide in about["guides"].as_array().expect("guides") {
         let key = guide["key"].as_str().expect("a key");
         let (_, run) = serving.run(key, &json!({}));
@@ -329,12 +398,6 @@ fn reference_every_guide_shows_what_it_says() {
     }
 
     let at = |guide: &str, knobs: Value| serving.run(guide, &knobs).1;
-    let peak = |run: &Value, floor: usize| {
-        run["summary"]["structures"][floor]["peak_displacement_m"]
-            .as_f64()
-            .expect("a peak")
-            .abs()
-    };
     let force = |run: &Value| run["summary"]["pairs"][0]["peak_force_n"].as_f64().expect("a force");
     // A wider gap is worse.
     let [narrow, wide] = [0.04, 0.06].map(|gap| at("wider", json!({"gap.0": gap})));
@@ -366,6 +429,51 @@ fn reference_every_guide_shows_what_it_says() {
     // The neighbours hold the building in the middle.
     let [held, free] = [0.03, 0.2].map(|gap| at("middle", json!({"gap.0": gap, "gap.1": gap})));
     assert!(peak(&held, 1) < 0.8 * peak(&free, 1), "{} and {}", peak(&held, 1), peak(&free, 1));
+}
+
+#[test]
+fn reference_the_guides_of_the_slip_and_of_dampers_show_what_they_say() {
+    let folder = folder("view_more_guides");
+    let serving = Serving::of(&folder, &[]);
+    let at = |guide: &str, knobs: Value| serving.run(guide, &knobs).1;
+    // Half the step moves the momenta, which the paper denies; the exact ones are half as large again.
+    let momenta = |knobs: Value| {
+        let structures = at("slip", knobs)["summary"]["structures"].clone();
+        let of = |one: usize| structures[one]["transferred_momentum_n_s"].as_f64().expect("a momentum");
+        [of(0), of(1), of(2)]
+    };
+    let [whole, half, exact] = [json!({}), json!({"step": "0.0025"}), json!({"method": "exact"})].map(momenta);
+    for one in 0..3 {
+        let (half, exact) = (half[one] / whole[one], exact[one] / whole[one]);
+        assert!((1.12..1.2).contains(&half), "{one}: {half}");
+        assert!((1.45..1.6).contains(&exact), "{one}: {exact}");
+    }
+    // A damper halves the hardest blow, a larger one prevents it, and one that is too large ties the towers together.
+    let damped = |coefficient: f64| at("dampers", json!({"link.0": coefficient}));
+    let hardest = |run: &Value| run["summary"]["pairs"][3]["largest"]["impulse_n_s"].as_f64();
+    let blows = [1e2, 1e5, 8e5].map(|coefficient| hardest(&damped(coefficient)).expect("a blow"));
+    assert!(
+        blows[1] > 0.99 * blows[0] && (0.45..0.55).contains(&(blows[2] / blows[0])),
+        "{blows:?}"
+    );
+    assert_eq!(collisions(&damped(2e6)), 0);
+    let [bare, tied] = [1e2, 2e7].map(|coefficient| peak(&damped(coefficient), 0));
+    assert!(tied > 0.9 * bare, "{tied} and {bare}");
+    let run = damped(1e5);
+    assert_eq!(run["player"]["links"].as_array().map(Vec::len), Some(4));
+    let method = run["knobs"]
+        .as_array()
+        .expect("knobs")
+        .iter()
+        .find(|knob| knob["id"] == "method")
+        .expect("a method");
+    let methods: Vec<_> = method["options"]
+        .as_array()
+        .expect("options")
+        .iter()
+        .map(|option| &option[0])
+        .collect();
+    assert_eq!(methods, ["exact", "rk4"], "the others take no links");
 }
 
 #[test]

@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 
 use pounding::contact::{Calibration, ContactLaw, Exact, FreePair, LawName};
+use pounding::scene::file::Law;
 use pounding::scene::{Contact, Damping, Method, RecordUse, STANDARD_GRAVITY, Scene, StepMethod, Structure};
 use pounding::text::{Refused, digits};
 use serde::Serialize;
@@ -21,7 +22,7 @@ const OWN: &str = "own";
 /// Numbers and choices that were turned, by the names of their knobs.
 pub(super) type Turned = BTreeMap<String, Value>;
 
-/// A knob; the number is the index of a structure or of a contact.
+/// A knob; the number is the index of a structure, a contact, or the first of links with the same law.
 #[derive(Debug, Clone, Copy)]
 enum Knob {
     Gap(usize),
@@ -32,6 +33,7 @@ enum Knob {
     Period(usize),
     Damping(usize),
     Yield(usize),
+    Link(usize),
     Scale,
     Direction,
     Method,
@@ -73,12 +75,9 @@ enum Kind {
 pub(super) fn drawn(base: &Scene, now: &Scene) -> Vec<Drawn> {
     let all = Knob::all(base).into_iter();
     let drawn = all.filter_map(|knob| {
-        Some(Drawn {
-            id: knob.id(),
-            group: knob.group(base),
-            label: knob.label(),
-            kind: knob.kind(base, now)?,
-        })
+        let kind = knob.kind(base, now)?;
+        let (id, group, label) = knob.about(base);
+        Some(Drawn { id, group, label, kind })
     });
     drawn.collect()
 }
@@ -88,41 +87,18 @@ pub(super) fn drawn(base: &Scene, now: &Scene) -> Vec<Drawn> {
 /// # Errors
 /// Refuses a knob that the scene does not have, and a value outside of its range.
 pub(super) fn turned(base: &Scene, turned: &Turned) -> Result<Scene, Refused> {
-    let mut scene = base.clone();
-    let all = Knob::all(base);
-    for knob in &all {
-        let id = knob.id();
-        if let (Some(value), Some(kind)) = (turned.get(&id), knob.kind(base, &scene)) {
-            let refused = |found: String| Refused::at(id.clone()).found(found).allowed_is("a value of this knob");
-            let setting = kind.setting(value).ok_or_else(|| refused(value.to_string()))?;
-            knob.turn(&mut scene, &setting).ok_or_else(|| refused(value.to_string()))?;
+    let (mut scene, all) = (base.clone(), Knob::all(base));
+    let mut unknown = turned.clone();
+    for knob in all {
+        let (id, ..) = knob.about(base);
+        if let (Some(value), Some(kind)) = (unknown.remove(&id), knob.kind(base, &scene)) {
+            let done = kind.allows(&value).then(|| knob.turn(base, &mut scene, &value)).flatten();
+            done.ok_or_else(|| Refused::at(id).found(value.to_string()).allowed_is("a value of this knob"))?;
         }
     }
-    match turned.keys().find(|id| !all.iter().any(|knob| knob.id() == **id)) {
-        Some(unknown) => Err(Refused::at(unknown.clone()).is("no knob of this scene")),
+    match unknown.into_keys().next() {
+        Some(unknown) => Err(Refused::at(unknown).is("no knob of this scene")),
         None => Ok(scene),
-    }
-}
-
-/// The new value of a knob.
-enum Setting {
-    Number(Option<f64>),
-    Choice(String),
-}
-
-impl Setting {
-    fn number(&self) -> Option<f64> {
-        match self {
-            Self::Number(number) => *number,
-            Self::Choice(_) => None,
-        }
-    }
-
-    fn choice(&self) -> &str {
-        match self {
-            Self::Number(_) => "",
-            Self::Choice(word) => word,
-        }
     }
 }
 
@@ -157,19 +133,14 @@ impl Kind {
         }
     }
 
-    /// A value that the knob allows.
-    fn setting(&self, value: &Value) -> Option<Setting> {
+    /// Whether the knob can be turned to a value.
+    fn allows(&self, value: &Value) -> bool {
         match self {
             Self::Number { least, most, beyond, .. } => match value.as_f64() {
-                Some(number) if (*least..=*most).contains(&number) => Some(Setting::Number(Some(number))),
-                None if value.is_null() && beyond.is_some() => Some(Setting::Number(None)),
-                _ => None,
+                Some(number) => (*least..=*most).contains(&number),
+                None => value.is_null() && beyond.is_some(),
             },
-            Self::Choice { options, .. } => {
-                let word = value.as_str()?;
-                let known = options.iter().any(|(known, _)| known == word);
-                known.then(|| Setting::Choice(word.into()))
-            }
+            Self::Choice { options, .. } => value.as_str().is_some_and(|word| options.iter().any(|(known, _)| known == word)),
         }
     }
 }
@@ -183,52 +154,42 @@ impl Knob {
             [Self::Mass(one), Self::Period(one), Self::Damping(one), Self::Yield(one)]
         });
         let rest = [Self::Scale, Self::Direction, Self::Method, Self::Step];
-        contacts.chain(structures).chain(rest).collect()
+        let links = (0..scene.links.len()).filter(|one| linked(scene, *one)[0] == *one).map(Self::Link);
+        contacts.chain(links).chain(structures).chain(rest).collect()
     }
 
-    fn id(self) -> String {
-        match self {
-            Self::Gap(one) => format!("gap.{one}"),
-            Self::Law(one) => format!("law.{one}"),
-            Self::Stiffness(one) => format!("stiffness.{one}"),
-            Self::Restitution(one) => format!("restitution.{one}"),
-            Self::Mass(one) => format!("mass.{one}"),
-            Self::Period(one) => format!("period.{one}"),
-            Self::Damping(one) => format!("damping.{one}"),
-            Self::Yield(one) => format!("yield.{one}"),
-            Self::Scale => "scale".into(),
-            Self::Direction => "direction".into(),
-            Self::Method => "method".into(),
-            Self::Step => "step".into(),
-        }
-    }
-
-    fn label(self) -> &'static str {
-        match self {
-            Self::Gap(_) => "Gap",
-            Self::Law(_) => "Contact law",
-            Self::Stiffness(_) => "Contact stiffness",
-            Self::Restitution(_) => "Restitution",
-            Self::Mass(_) => "Mass",
-            Self::Period(_) => "Period",
-            Self::Damping(_) => "Damping ratio",
-            Self::Yield(_) => "Yield force",
-            Self::Scale => "Scale of the record",
-            Self::Direction => "Direction",
-            Self::Method => "Method",
-            Self::Step => "Time step",
-        }
-    }
-
-    fn group(self, scene: &Scene) -> String {
+    /// Its name, group and label.
+    fn about(self, scene: &Scene) -> (String, String, &'static str) {
         let name = |one: usize| scene.structures[one].name().to_owned();
+        let between = |key, one, label| {
+            (
+                format!("{key}.{one}"),
+                format!("Between {} and {}", name(one), name(one + 1)),
+                label,
+            )
+        };
+        let of = |key, one, label| (format!("{key}.{one}"), name(one), label);
+        let other = |key: &str, group: &str, label| (key.to_owned(), group.to_owned(), label);
         match self {
-            Self::Gap(one) | Self::Law(one) | Self::Stiffness(one) | Self::Restitution(one) => {
-                format!("Between {} and {}", name(one), name(one + 1))
+            Self::Gap(one) => between("gap", one, "Gap"),
+            Self::Law(one) => between("law", one, "Contact law"),
+            Self::Stiffness(one) => between("stiffness", one, "Contact stiffness"),
+            Self::Restitution(one) => between("restitution", one, "Restitution"),
+            Self::Mass(one) => of("mass", one, "Mass"),
+            Self::Period(one) => of("period", one, "Period"),
+            Self::Damping(one) => of("damping", one, "Damping ratio"),
+            Self::Yield(one) => of("yield", one, "Yield force"),
+            Self::Link(one) => {
+                let group = match linked(scene, one).len() {
+                    1 => format!("Link between {}", scene.links[one].names(scene).join(" and ")),
+                    several => format!("{several} links of the same law"),
+                };
+                (format!("link.{one}"), group, link_number(&mut scene.links[one].law.clone()).0)
             }
-            Self::Mass(one) | Self::Period(one) | Self::Damping(one) | Self::Yield(one) => name(one),
-            Self::Scale | Self::Direction => "Shaking".into(),
-            Self::Method | Self::Step => "Method".into(),
+            Self::Scale => other("scale", "Shaking", "Scale of the record"),
+            Self::Direction => other("direction", "Shaking", "Direction"),
+            Self::Method => other("method", "Method", "Method"),
+            Self::Step => other("step", "Method", "Time step"),
         }
     }
 
@@ -260,10 +221,18 @@ impl Knob {
             }
             Self::Damping(one) => Kind::number(now.structures[one].damping_ratio()?, [0.0, 0.2], (100.0, "%")),
             Self::Yield(one) => yield_kind(&base.structures[one], &now.structures[one])?,
+            Self::Link(one) => {
+                let [mut before, mut law] = [base, now].map(|scene| scene.links[one].law);
+                let (before, (label, number, unit)) = (*link_number(&mut before).1, link_number(&mut law));
+                if label == SLACK {
+                    Kind::number(*number, [0.0, (3.0 * before).max(0.1)], unit)
+                } else {
+                    Kind::factor(*number, [1e-3 * before, 1e3 * before], unit)
+                }
+            }
             Self::Scale => {
-                let before = base.record.scale.abs();
-                let is_some = before > 0.0;
-                is_some.then(|| Kind::factor(now.record.scale.abs(), [before / 10.0, before * 3.0], (1.0, "×")))?
+                let before = Some(base.record.scale.abs()).filter(|scale| *scale > 0.0)?;
+                Kind::factor(now.record.scale.abs(), [before / 10.0, before * 3.0], (1.0, "×"))
             }
             Self::Direction => {
                 let words = [false, true].map(RecordUse::direction_of);
@@ -282,44 +251,49 @@ impl Knob {
     }
 
     /// Turns a knob; `None` if the scene does not have it.
-    fn turn(self, scene: &mut Scene, to: &Setting) -> Option<()> {
+    fn turn(self, base: &Scene, scene: &mut Scene, to: &Value) -> Option<()> {
         match self {
-            Self::Gap(one) => contact(scene, one)?.gap_m = to.number()?,
+            Self::Gap(one) => contact(scene, one)?.gap_m = to.as_f64()?,
             Self::Law(one) => {
                 let law = &mut contact(scene, one)?.law;
-                *law = other_law(law, to.choice())?;
+                *law = other_law(law, to.as_str()?)?;
             }
             Self::Stiffness(one) => {
                 let law = &mut contact(scene, one)?.law;
-                *law = law.stiffened(to.number()? / law.stiffness_over_usual()?);
+                *law = law.stiffened(to.as_f64()? / law.stiffness_over_usual()?);
             }
             Self::Restitution(one) => {
                 let law = &mut contact(scene, one)?.law;
-                *law = calibrated(LawName::from_name(law.name())?, law, to.number()?)?;
+                *law = calibrated(LawName::from_name(law.name())?, law, to.as_f64()?)?;
             }
             Self::Mass(one) => {
                 let structure = &mut scene.structures[one];
-                let times = to.number()? / mass(structure)?;
+                let times = to.as_f64()? / mass(structure)?;
                 scaled(structure, [times, times])?;
             }
             Self::Period(one) => {
                 let structure = &mut scene.structures[one];
-                let times = structure.period()? / to.number()?;
+                let times = structure.period()? / to.as_f64()?;
                 scaled(structure, [1.0, times * times])?;
             }
             Self::Damping(one) => {
-                let ratio = Damping::Ratio(to.number()?);
+                let ratio = Damping::Ratio(to.as_f64()?);
                 match &mut scene.structures[one] {
                     Structure::Sdof(sdof) => sdof.damping = ratio,
                     Structure::Building(building) => building.damping = ratio,
                     Structure::Wall => return None,
                 }
             }
-            Self::Yield(one) => yields_at(&mut scene.structures[one], to.number())?,
-            Self::Scale => scene.record.scale = to.number()?.copysign(scene.record.scale),
-            Self::Direction => scene.record.reversed = to.choice() == RecordUse::direction_of(true),
-            Self::Method => scene.method = other_method(scene.method, to.choice())?,
-            Self::Step => scene.method = scene.method.with_time_step(to.choice().parse().ok()?),
+            Self::Yield(one) => yields_at(&mut scene.structures[one], to.as_f64())?,
+            Self::Link(one) => {
+                for link in linked(base, one) {
+                    *link_number(&mut scene.links[link].law).1 = to.as_f64()?;
+                }
+            }
+            Self::Scale => scene.record.scale = to.as_f64()?.copysign(scene.record.scale),
+            Self::Direction => scene.record.reversed = to.as_str()? == RecordUse::direction_of(true),
+            Self::Method => scene.method = other_method(scene.method, to.as_str()?)?,
+            Self::Step => scene.method = scene.method.with_time_step(to.as_str()?.parse().ok()?),
         }
         Some(())
     }
@@ -327,6 +301,26 @@ impl Knob {
 
 fn contact(scene: &mut Scene, one: usize) -> Option<&mut Contact> {
     scene.contacts.as_mut()?.get_mut(one)
+}
+
+/// The links with the law of this one.
+fn linked(scene: &Scene, one: usize) -> Vec<usize> {
+    let same = |other: &usize| scene.links[*other].law == scene.links[one].law;
+    (0..scene.links.len()).filter(same).collect()
+}
+
+/// The number of a link that may be 0.
+const SLACK: &str = "Slack";
+
+/// The main number of a link: its label, the number, and its unit.
+fn link_number(law: &mut Law) -> (&'static str, &mut f64, (f64, &'static str)) {
+    let damping = "Damping coefficient";
+    match law {
+        Law::Spring { stiffness_n_per_m, .. } => ("Stiffness", stiffness_n_per_m, (1e-6, "MN/m")),
+        Law::Dashpot { damping_n_s_per_m } | Law::Maxwell { damping_n_s_per_m, .. } => (damping, damping_n_s_per_m, (1e-6, "MN·s/m")),
+        Law::Viscous { coefficient, .. } => (damping, coefficient, (1e-6, "MN·(s/m)^α")),
+        Law::Restrainer { slack_m, .. } => (SLACK, slack_m, (1e3, "mm")),
+    }
 }
 
 /// The laws to choose from: one for each force whose damping an e gives, whatever the pair, and the law of the scene.
@@ -373,8 +367,13 @@ fn other_method(method: Method, key: &str) -> Option<Method> {
 
 fn method_choice(scene: &Scene) -> Kind {
     let mut options = vec![(EXACT.to_owned(), "Exact".to_owned())];
-    options.extend(StepMethod::differing(scene.is_impulsive()).map(|one| (one.name().into(), one.label().into())));
     let step = scene.method.time_step();
+    let is_taken = |one: &StepMethod| {
+        let method = one.at(step.unwrap_or(FIRST_STEP));
+        Scene { method, ..scene.clone() }.check_method().is_ok()
+    };
+    let taken = StepMethod::differing(scene.is_impulsive()).filter(is_taken);
+    options.extend(taken.map(|one| (one.name().into(), one.label().into())));
     let known = StepMethod::all().find(|one| step.is_some_and(|step| one.at(step) == scene.method));
     let value = match known {
         Some(one) => one.name(),

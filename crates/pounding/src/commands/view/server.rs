@@ -15,6 +15,8 @@ use pounding::scene::hexadecimal;
 /// Most bytes of the head of a request, and of its body.
 const HEAD: usize = 16 << 10;
 const BODY: usize = 64 << 10;
+/// Most bytes of a record.
+pub(super) const RECORD: usize = 8 << 20;
 /// Most headers of a request: a browser sends some twenty.
 const HEADERS: usize = 64;
 /// Most connections at once: a browser opens six.
@@ -23,6 +25,9 @@ pub(super) const CONNECTIONS: usize = 32;
 const PATIENCE: Duration = Duration::from_secs(10);
 /// How long a refused request is read on, so that its sender sees the refusal.
 const DRAINED: Duration = Duration::from_millis(300);
+
+/// The call whose body is a record behind a line of JSON.
+pub(super) const RECORD_CALL: &str = "/api/record";
 
 /// Header of the token.
 const TOKEN: &str = "x-pounding-token";
@@ -65,13 +70,7 @@ impl Reply {
     }
 
     fn send(&self, to: &mut TcpStream) -> io::Result<()> {
-        let reason = match self.status {
-            200 => "OK",
-            403 => "Forbidden",
-            404 => "Not Found",
-            503 => "Service Unavailable",
-            _ => "Refused",
-        };
+        let reason = if self.status == 200 { "OK" } else { "Refused" };
         let head = format!(
             "HTTP/1.1 {} {reason}\r\nContent-Type: {}\r\nContent-Length: {}\r\nConnection: close\r\nCache-Control: no-store\r\n\
              Content-Security-Policy: {POLICY}\r\nX-Content-Type-Options: nosniff\r\nReferrer-Policy: no-referrer\r\n\
@@ -205,7 +204,9 @@ impl Server {
             ("POST", true) if !self.knows(&only(TOKEN)?.unwrap_or_default()) => {
                 Err(Reply::refused(403, "another token: open the address that `pounding view` prints"))
             }
-            ("POST", true) if length > BODY => Err(Reply::refused(413, "the request is too long")),
+            ("POST", true) if length > BODY + if head.path == RECORD_CALL { RECORD } else { 0 } => {
+                Err(Reply::refused(413, "the request is too long"))
+            }
             ("POST", true) => Ok(length),
             ("GET", false) if length == 0 => Ok(0),
             _ => Err(Reply::refused(405, "GET of a file, or POST to /api/")),

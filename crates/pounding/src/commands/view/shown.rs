@@ -9,10 +9,9 @@ use std::thread;
 use pounding::assess::Separation;
 use pounding::contact::{ContactLaw, Stereomechanical};
 use pounding::report::{Player, Report, Summary, other_direction};
-use pounding::scene::{Contact, Error, GroundMotion, Origin, Scene, Simulation, SimulationOptions, Source};
-use pounding::text::{Refused, rounded_up};
+use pounding::scene::{Contact, Error, FileUse, GroundMotion, Origin, Scene, Simulation, SimulationOptions, Source};
+use pounding::text::{Refused, json_text, rounded_up};
 use serde::Serialize;
-use serde_json::Value;
 
 use super::guides::Guide;
 use super::knobs::{Drawn, Turned, drawn, turned};
@@ -95,6 +94,37 @@ impl Base {
             Source::Generated(_) => None,
         };
         Ok(Self::of(scene, origin))
+    }
+
+    /// The scene under a record that no file of this machine is read for.
+    ///
+    /// # Errors
+    /// Those of a record and of a scene.
+    pub(super) fn under(&self, name: &str, record: &[u8]) -> Result<Self, Error> {
+        let mut scene = self.scene.clone();
+        let declared = match scene.record.source {
+            Source::File(file) => file,
+            Source::Generated(_) => FileUse::default(),
+        };
+        let declared = FileUse {
+            file: name.into(),
+            component: None,
+            second_file: None,
+            axis_deg: None,
+            ..declared
+        };
+        let (origin, taken) = Origin::of_silent(Path::new(name), record, &declared)?;
+        scene.record.source = Source::File(taken);
+        Self::of(scene, Some(Arc::new(origin))).checked()
+    }
+
+    /// The same if it can run.
+    ///
+    /// # Errors
+    /// Those of a scene.
+    pub(super) fn checked(self) -> Result<Self, Error> {
+        self.prepared(&self.scene, None)?;
+        Ok(self)
     }
 
     /// Name of the scene.
@@ -214,37 +244,11 @@ fn blank(contact: Contact) -> Contact {
     }
 }
 
-/// A scene as a program for Python.
+/// A scene as a program for Python, which reads JSON as its own but for three words.
 pub(super) fn python(scene: &Scene) -> String {
-    let mut text = String::from("# Run it in the folder of the scene's file.\nimport pounding\n\nscene = pounding.scene(");
-    literal(&serde_json::json!(scene), 0, &mut text);
-    text + ")\nrun = scene.run()\nprint(run.sentence)\nprint(run.pairs)\n"
-}
-
-/// Adds a value of JSON as Python writes it.
-fn literal(value: &Value, depth: usize, text: &mut String) {
-    let mut several = |ends: [char; 2], items: Vec<(String, &Value)>| {
-        text.push(ends[0]);
-        for (key, item) in &items {
-            text.extend(["\n", &"    ".repeat(depth + 1), key]);
-            literal(item, depth + 1, text);
-            text.push(',');
-        }
-        if !items.is_empty() {
-            text.extend(["\n", &"    ".repeat(depth)]);
-        }
-        text.push(ends[1]);
-    };
-    match value {
-        Value::Null => text.push_str("None"),
-        Value::Bool(truth) => text.push_str(if *truth { "True" } else { "False" }),
-        Value::Number(_) | Value::String(_) => text.push_str(&value.to_string()),
-        Value::Array(all) => several(['[', ']'], all.iter().map(|item| (String::new(), item)).collect()),
-        Value::Object(all) => several(
-            ['{', '}'],
-            all.iter()
-                .map(|(key, item)| (format!("{}: ", Value::from(key.as_str())), item))
-                .collect(),
-        ),
-    }
+    format!(
+        "# Run it in the folder of the scene's file.\nimport pounding\n\ntrue, false, null = True, False, None\nscene = pounding.scene({})\n\
+         run = scene.run()\nprint(run.sentence)\nprint(run.pairs)\n",
+        json_text(scene).trim_end()
+    )
 }
