@@ -59,11 +59,19 @@ impl Record {
 fn factor(spectrum: &[[f64; 2]]) -> usize {
     let n = spectrum.len();
     // The upper half of the spectrum is that of negative frequencies.
-    let powers = || (0..=n / 2).map(|k| (k as f64 / n as f64, spectrum[k][0].powi(2) + spectrum[k][1].powi(2)));
+    let powers = || {
+        (0..=n / 2).map(|k| {
+            let [real, imaginary] = spectrum[k];
+            (k as f64 / n as f64, real * real + imaginary * imaginary)
+        })
+    };
     let all: f64 = powers().map(|(_, power)| power).sum();
     let mut factor = 1;
     loop {
-        let lost = powers().map(|(cycles, power)| power * lost(cycles / factor as f64).powi(2));
+        let lost = powers().map(|(cycles, power)| {
+            let part = lost(cycles / factor as f64);
+            power * part * part
+        });
         if lost.sum::<f64>() <= STRAIGHT * STRAIGHT * all || factor == FINEST {
             return factor;
         }

@@ -38,9 +38,13 @@ pub(crate) fn transform(terms: &mut [[f64; 2]]) {
 pub(crate) fn inverse(terms: &mut [[f64; 2]]) {
     // The conjugate of the transform of the conjugate.
     let length = terms.len() as f64;
-    terms.iter_mut().for_each(|term| term[1] = -term[1]);
+    for term in terms.iter_mut() {
+        term[1] = -term[1];
+    }
     transform(terms);
-    terms.iter_mut().for_each(|term| *term = [term[0] / length, -term[1] / length]);
+    for term in terms.iter_mut() {
+        *term = [term[0] / length, -term[1] / length];
+    }
 }
 
 #[cfg(test)]

@@ -164,9 +164,12 @@ pub fn run_sentence(prepared: &Simulation, result: &RunResult) -> String {
 /// The first floor that leaves its seat, in words; `None` if none does.
 fn says_unseated(prepared: &Simulation, result: &RunResult) -> Option<String> {
     let passed = prepared.passed(result).into_iter();
-    let unseated = passed.filter_map(|one| match one {
-        Warning::Unseated { names, width, time, .. } => Some((time, width, names)),
-        _ => None,
+    let unseated = passed.filter_map(|one| {
+        if let Warning::Unseated { names, width, time, .. } = one {
+            Some((time, width, names))
+        } else {
+            None
+        }
     });
     let (time, width, [left, right]) = unseated.min_by(|one, other| one.0.total_cmp(&other.0))?;
     Some(format!(

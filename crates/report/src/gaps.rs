@@ -7,10 +7,9 @@ use pounding_scene::{Error, Excess, ExcessKind, Floors, Implausible, RecordUse, 
 use pounding_text::{Answer, Cell, Shown, Table, Where, digits, rounded_up, short};
 use serde_json::{Value, json};
 
-use crate::assessment::ALIKE;
 use crate::folder::{MotionRow, OfFolder, UnderMotion, factor};
 use crate::rules::{RuledGap, notes, sources};
-use crate::whatever_gap::{Fallen, over_capacity, says_beyond, says_over_capacity};
+use crate::whatever_gap::{ALIKE, Fallen, over_capacity, says_beyond, says_over_capacity};
 
 /// The widths that the gaps of a row need under one motion in one direction.
 #[derive(Debug)]

@@ -75,13 +75,22 @@ impl RuledGap<'_> {
                 code.cited()
             );
         }
+        let own = self.says_own(code, width);
+        format!(
+            "By {}: {width_mm} mm between {names} ({of}{few}){owners}{narrowed}.{own}",
+            code.cited()
+        )
+    }
+
+    /// Whether the given gap meets the width of a code, and what the strongest motion needs.
+    fn says_own(&self, code: Rule, width: f64) -> String {
         let needed = millimetres_up(self.needed);
         let stronger = if width < self.needed {
             format!(" The strongest of these motions needs {needed} mm.")
         } else {
             String::new()
         };
-        let own = self.own.map_or(stronger, |own| {
+        self.own.map_or(stronger, |own| {
             let own_mm = millimetres(own);
             let meets = if own < width { "do not meet it" } else { "meet it" };
             let keeps = match (own < width, own < self.needed) {
@@ -96,11 +105,7 @@ impl RuledGap<'_> {
                 "If these motions are at its level, the"
             };
             format!(" {by} given {own_mm} mm {meets}{keeps}.")
-        });
-        format!(
-            "By {}: {width_mm} mm between {names} ({of}{few}){owners}{narrowed}.{own}",
-            code.cited()
-        )
+        })
     }
 }
 

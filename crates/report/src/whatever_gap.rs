@@ -5,6 +5,9 @@ use std::collections::BTreeSet;
 use pounding_assess::{Case, says_believed};
 use pounding_scene::{Excess, Floors, Often, RowWords};
 
+/// Largest closing of neighbours that move alike \[m\].
+pub(crate) const ALIKE: f64 = 1e-3;
+
 /// Every building that exceeds a capacity of the scene even alone, by the drift or force that is farthest above it, with the number of `of`
 /// samples. `all` has such responses, each with its case.
 pub(crate) fn over_capacity(floors: &Floors, all: &[(Case, &Excess)], of: usize, sample: &'static str) -> Vec<Excess> {

@@ -8,10 +8,7 @@ use super::cautions::BESIDE;
 use super::{AssessedMotion, AssessmentReport};
 use crate::folder::factor;
 use crate::rules::{RuledGap, asked};
-use crate::whatever_gap::says_beyond;
-
-/// Largest closing of neighbours that move alike \[m\].
-pub(crate) const ALIKE: f64 = 1e-3;
+use crate::whatever_gap::{ALIKE, says_beyond};
 
 impl AssessmentReport {
     /// The least part of the target that the mean spectrum has, and its period, if a code asks for more.

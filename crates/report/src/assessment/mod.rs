@@ -16,7 +16,6 @@ mod spectra;
 mod tables;
 mod words;
 
-pub(crate) use gap_answers::ALIKE;
 use std::collections::BTreeMap;
 
 use pounding_assess::{

@@ -158,7 +158,7 @@ impl Simulation {
         for told in [true, false] {
             let n = hit.iter().filter(|one| one.capacity.is_some() == told).count();
             for one in hit.iter_mut().filter(|one| n > 1 && one.capacity.is_some() == told) {
-                one.name.push_str(&format!(" and {} more", n - 1));
+                one.name = format!("{} and {} more", one.name, n - 1);
             }
         }
         hit

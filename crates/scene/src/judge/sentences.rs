@@ -124,9 +124,10 @@ impl Excess {
             );
         }
         // Without a contact nothing touches, and nothing is left out.
-        let [than, not_modelled] = match self.kind {
-            ExcessKind::AtColumn => [" farther than the gap", ", and is not modelled"],
-            _ => ["", ""],
+        let [than, not_modelled] = if self.kind == ExcessKind::AtColumn {
+            [" farther than the gap", ", and is not modelled"]
+        } else {
+            ["", ""]
         };
         format!(
             "faces columns of its neighbour between floors; {often}both together may move up to {farther} mm{than}: a floor that hits a column \
