@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::Path;
 
-use pounding_assess::{FolderUse, Suite};
+use pounding_assess::{FolderUse, SelectionFactors, Suite};
 
 /// Reads a folder with two lists of numbers and the bytes as a table of them.
 pub(crate) fn check(bytes: &[u8], folder: &Path) {
@@ -18,7 +18,7 @@ pub(crate) fn check(bytes: &[u8], folder: &Path) {
         let path = folder.join(table);
         fs::write(&path, bytes).expect("a disk");
         let asked = FolderUse {
-            selection_factors: true,
+            selection_factors: SelectionFactors::Used,
             ..FolderUse::default()
         };
         if let Ok(suite) = Suite::of(&[folder.to_path_buf()], asked) {

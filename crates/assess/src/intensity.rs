@@ -77,8 +77,9 @@ impl FromStr for IntensityMeasure {
             let period = text.strip_suffix('s').unwrap_or(text).trim().parse::<f64>().ok();
             period.filter(|period| (1e-3..=100.0).contains(period))
         };
-        let inner = |name: &str| text.trim().strip_prefix(name)?.strip_suffix(')');
-        if text.trim() == "pga" {
+        let lower = text.trim().to_ascii_lowercase();
+        let inner = |name: &str| lower.strip_prefix(name)?.strip_suffix(')');
+        if lower == "pga" {
             return Ok(Self::Pga);
         }
         let found = match (inner("sa("), inner("sa_avg(")) {

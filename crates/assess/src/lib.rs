@@ -68,6 +68,7 @@ pub use run::{AssessedFloor, AssessedPair, AssessedRun, StiffnessFactors, beyond
 pub use scaling::{MotionSpectrum, Scaling, SpectrumTarget, TargetFactors};
 pub use separation::{JudgedSeparations, Separation};
 pub use suite::{
-    FolderUse, HorizontalPair, LeftOut, LeftOutKind, LeftOutReason, MotionLine, MotionLines, Suite, SuiteMotion, Watched, nothing_found,
+    FolderUse, HorizontalPair, LeftOut, LeftOutKind, LeftOutReason, MotionLine, MotionLines, SelectionFactors, Suite, SuiteMotion, Watched,
+    nothing_found,
 };
 pub use target_fit::TargetFit;

@@ -33,8 +33,20 @@ pub struct FolderUse {
     pub declared: FileUse,
     /// Whether files of folders within the folder are read, too. Folders within archives are always read.
     pub sub_folders: bool,
-    /// Whether the scale factors of PEER's `_SearchResults.csv` multiply the records.
-    pub selection_factors: bool,
+    /// The use of the scale factors of PEER's `_SearchResults.csv`.
+    pub selection_factors: SelectionFactors,
+}
+
+/// The use of the scale factors that PEER writes beside a selection.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub enum SelectionFactors {
+    /// They are left out, which is said.
+    #[default]
+    LeftOut,
+    /// They multiply the records.
+    Used,
+    /// They would change nothing, since every record is scaled to an intensity of its own measure. Nothing is said.
+    WithoutEffect,
 }
 
 impl From<&FileUse> for FolderUse {

@@ -118,6 +118,14 @@ impl Progress {
         Self(Shown::new(RUNNING, Log::Nothing))
     }
 
+    /// A bar of so many runs, before the first is done.
+    pub(crate) fn of(runs: usize) -> Self {
+        let progress = Self::new();
+        progress.0.bar.set_style(style(BAR));
+        progress.0.bar.set_length(runs as u64);
+        progress
+    }
+
     /// Counts one run as done; `of` is the number of all.
     pub(crate) fn step(&self, of: usize) {
         let bar = &self.0.bar;

@@ -86,7 +86,7 @@ pub use player::Player;
 use pounding_assess::Effects;
 use pounding_files::ResultNames;
 use pounding_scene::{Error, Review, RunResult, Simulation};
-pub use risk::{RiskAsked, RiskReport};
+pub use risk::{JudgedRun, RiskAsked, RiskReport};
 use sampling::Sampling;
 pub use shown::{InWords, tables};
 pub use site::{Site, SitedNumber};

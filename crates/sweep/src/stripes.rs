@@ -6,7 +6,7 @@ use pounding_assess::{IntensityMeasure, Suite, Watched};
 use pounding_contact::{ContactLaw, Stereomechanical};
 use pounding_risk::{RunNumbers, State, StripeMotion, StripeRun, StripeRuns};
 use pounding_scene::file::Contact;
-use pounding_scene::{FloorQuantity, PairQuantity, Quantity, RecordUse, Scene, parallel};
+use pounding_scene::{FloorQuantity, Floors, PairQuantity, Quantity, RecordUse, Scene, parallel};
 use pounding_text::{RefusalKind, Refused};
 use serde_json::json;
 
@@ -77,8 +77,7 @@ impl StripesAsked<'_> {
     pub fn run(&self, watched: Watched<'_>) -> Result<StripeRuns, Refused> {
         self.check()?;
         let parts = self.parts()?;
-        let apart = self.closings || self.states.iter().any(|state| matches!(state, State::Touch(_)));
-        let beside = self.states.iter().any(|state| !matches!(state, State::Touch(_)));
+        let [apart, beside] = self.rows();
         let rows = [apart.then(|| self.apart()), beside.then(|| self.beside())];
         let mut runs = StripeRuns {
             gaps: Vec::new(),
@@ -100,8 +99,7 @@ impl StripesAsked<'_> {
         });
         let sweeps: Vec<[Option<Sweep>; 2]> = sweeps.collect::<Result<_, Refused>>()?;
         let all = sweeps.iter().flatten().flatten();
-        let n_runs: u64 = all.clone().map(Sweep::n_runs).sum();
-        let n_runs = usize::try_from(n_runs).map_err(|_| Refused::at("motions").found("too many runs"))?;
+        let n_runs = self.n_runs();
         let contacts = all.clone().next().map_or_else(Vec::new, |sweep| sweep.row.contacts());
         let own = self.scene.contacts.iter().flatten();
         let gaps: Vec<f64> = own.map(|one| one.gap_m).collect();
@@ -115,6 +113,25 @@ impl StripesAsked<'_> {
             Self::says_missing(*state, &runs)?;
         }
         Ok(runs)
+    }
+
+    /// Number of all runs: those of the row apart and those of the row as it is.
+    pub fn n_runs(&self) -> usize {
+        let under = match self.motions {
+            StripeMotions::Scaled { suite, intensities, .. } => suite.motions.len() * intensities.len(),
+            StripeMotions::Own(all) => all.iter().map(|one| one.1.motions.len()).sum(),
+        };
+        let rows = self.rows().into_iter().filter(|asked| *asked).count();
+        under * self.directions.reversed().len() * rows
+    }
+
+    /// Whether the row is asked for with its structures apart, and as it is.
+    fn rows(&self) -> [bool; 2] {
+        let touch = |state: &State| matches!(state, State::Touch(_));
+        [
+            self.closings || self.states.iter().any(touch),
+            self.states.iter().any(|state| !touch(state)),
+        ]
     }
 
     fn check(&self) -> Result<(), Refused> {
@@ -132,6 +149,13 @@ impl StripesAsked<'_> {
         if forces && self.scene.is_impulsive() {
             let found = Refused::at("state").found("a force of a law that has impulses alone");
             return Err(found.allowed_is("a compliant law").help("choose one with `pounding laws`"));
+        }
+        // A scene that gives no floors is refused where it is run.
+        let has_gravity = Floors::of(self.scene).map_or(true, |floors| floors.has_gravity());
+        if self.states.contains(&State::Collapse) && !has_gravity {
+            let found = Refused::at("state").found("collapse of a row on which no gravity acts");
+            let found = found.allowed_is("collapse of storeys under a weight");
+            return Err(found.help("set p_delta = \"from_masses\" at the top of the scene, or gravity_load_n of its floors"));
         }
         Ok(())
     }

@@ -8,8 +8,8 @@ use pounding_scene::file::Unit;
 use pounding_scene::{Error, FileUse};
 use pounding_text::{Refused, digits};
 
-use super::FolderUse;
 use super::entries::RecordFile;
+use super::{FolderUse, SelectionFactors};
 
 /// What a table tells about a file.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -99,15 +99,16 @@ impl Tables {
         Ok(())
     }
 
-    fn add_selection(&mut self, table: &RecordFile, rows: Vec<(String, f64)>, used: bool) {
+    fn add_selection(&mut self, table: &RecordFile, rows: Vec<(String, f64)>, asked: SelectionFactors) {
         let folder = table.path.parent().unwrap_or_else(|| Path::new(""));
         let factors = rows.iter().map(|(_, factor)| *factor);
         let [least, most] = [f64::min, f64::max].map(|end| factors.clone().reduce(end).unwrap_or(1.0));
         let range = format!("scale factors from {} to {}", digits(least), digits(most));
         let name = shown_name(&table.path);
+        let used = asked == SelectionFactors::Used;
         if used {
             self.said.push(format!("{name}: {range} multiply its records"));
-        } else if least < 1.0 || most > 1.0 {
+        } else if asked == SelectionFactors::LeftOut && (least < 1.0 || most > 1.0) {
             self.said
                 .push(format!("{name}: {range} are not used; --selection-factors uses them"));
         }

@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::PathBuf;
 
-use pounding_assess::{FolderUse, LeftOutKind, Suite};
+use pounding_assess::{FolderUse, LeftOutKind, SelectionFactors, Suite};
 use pounding_scene::FileUse;
 
 use crate::suite::{Folder, list, motion};
@@ -87,7 +87,7 @@ fn reference_scale_factors_of_a_selection_on_request() {
         .iter()
         .fold(Folder::new(), |folder, (name, text)| folder.with(name, text));
     let asked = FolderUse {
-        selection_factors: true,
+        selection_factors: SelectionFactors::Used,
         ..FolderUse::default()
     };
     let [plain, scaled] = [FolderUse::default(), asked].map(|asked| Suite::in_folder(folder.path(), asked).expect("a folder"));

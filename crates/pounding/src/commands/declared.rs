@@ -1,7 +1,7 @@
 //! Options that declare what record files leave out.
 
 use clap::builder::{PossibleValuesParser, TypedValueParser};
-use pounding::assess::FolderUse;
+use pounding::assess::{FolderUse, SelectionFactors};
 use pounding::motion::AccelerationUnit;
 use pounding::scene::file::Unit;
 use pounding::scene::{FileUse, Scene};
@@ -41,7 +41,7 @@ pub(super) struct Declared {
     sub_folders: bool,
     /// Multiply by the scale factors of PEER's _SearchResults.csv.
     #[arg(long)]
-    selection_factors: bool,
+    pub(super) selection_factors: bool,
 }
 
 /// An azimuth.
@@ -83,7 +83,11 @@ impl Declared {
         FolderUse {
             declared,
             sub_folders: self.sub_folders,
-            selection_factors: self.selection_factors,
+            selection_factors: if self.selection_factors {
+                SelectionFactors::Used
+            } else {
+                SelectionFactors::LeftOut
+            },
         }
     }
 }

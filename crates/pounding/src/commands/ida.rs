@@ -2,15 +2,17 @@
 
 use std::path::{Path, PathBuf};
 use std::str::FromStr;
+use std::sync::atomic::Ordering;
 
-use pounding::assess::{IntensityMeasure, Suite, Watched};
-use pounding::report::{RiskAsked, RiskReport};
+use pounding::assess::{IntensityMeasure, Suite, SuiteMotion, Watched};
+use pounding::report::{JudgedRun, RiskAsked, RiskReport};
 use pounding::risk::{HazardCurve, State};
-use pounding::scene::{Error, Floors, Scene, Structure, periods_between};
+use pounding::scene::{Error, Floors, RecordUse, Scene, Structure, periods_between};
 use pounding::sweep::{Directions, StripeMotions, StripesAsked};
-use pounding::text::{Form, Refused, Where};
+use pounding::text::{Form, RefusalKind, Refused, Where};
 
 use super::declared::Declared;
+use super::suite::MotionLine;
 use super::{Failure, suite};
 use crate::folder::Out;
 use crate::progress::Progress;
@@ -28,7 +30,7 @@ fragility is the lognormal one of most likelihood of the share of events at each
 intensity. The hazard curve is a CSV file: intensity in g, mean annual frequency.";
 
 /// Help of `--im`.
-const MEASURES: &str = "Intensity of a motion: pga, sa(0.8) or sa_avg(0.2..2); by default sa of the longest first period of the row";
+const MEASURES: &str = "Intensity of a motion: pga, sa(0.8) or sa_avg(0.2..2); required with --hazard, else by default sa of the longest first period of the row";
 
 /// The arguments of `ida`.
 #[derive(Debug, clap::Args)]
@@ -118,8 +120,6 @@ pub(crate) fn run(args: &Arguments) -> Result<String, Failure> {
     let measure = args.measure(&scene, hazard.is_some())?;
     let motions = args.motions(&scene, measure)?;
     suite::stop_when_asked();
-    let progress = Progress::new();
-    let step = |of| progress.step(of);
     let asked = StripesAsked {
         scene: &scene,
         path,
@@ -128,6 +128,8 @@ pub(crate) fn run(args: &Arguments) -> Result<String, Failure> {
         states: &args.state,
         closings: !args.gaps.is_empty(),
     };
+    let progress = Progress::of(asked.n_runs());
+    let step = |of| progress.step(of);
     let watched = Watched {
         stop: &suite::STOPPED,
         step: &step,
@@ -149,6 +151,8 @@ pub(crate) fn run(args: &Arguments) -> Result<String, Failure> {
             measure,
         },
     );
+    let judged = args.judged(&scene, &motions, report.judged_stripe())?;
+    let report = report.with_cautions(&judged);
     let mut answer = report.answer();
     if let Some(out) = out {
         out.write(&report.files())?;
@@ -202,6 +206,40 @@ impl Arguments {
         Ok(Some(IntensityMeasure::Sa(longest.ok_or_else(none)?)))
     }
 
+    /// The row under all motions of an intensity, judged; nothing if all runs fail, which the answer says.
+    fn judged(&self, scene: &Scene, motions: &StripeMotions, stripe: usize) -> Result<Vec<MotionLine<JudgedRun>>, Refused> {
+        let apart = self.state.iter().all(|state| matches!(state, State::Touch(_)));
+        let directions: &[bool] = if self.both { &[false, true] } else { &[false] };
+        let scaled = |scale: f64| Scene {
+            record: RecordUse {
+                scale,
+                scale_to: None,
+                ..scene.record.clone()
+            },
+            ..scene.clone()
+        };
+        let under = |motion: &SuiteMotion| {
+            let recorded = motion.shake(&scaled(1.0), false, None)?;
+            let scale = match motions {
+                StripeMotions::Scaled { measure, intensities, .. } => intensities[stripe] / measure.of(motion, scene)?,
+                StripeMotions::Own(_) => 1.0,
+            };
+            Ok((scaled(scale), recorded.doubts()))
+        };
+        let suite = match motions {
+            StripeMotions::Scaled { suite, .. } => suite,
+            StripeMotions::Own(all) => &all[stripe].1,
+        };
+        let ran = suite::lines_of(suite, directions, under, |prepared, doubts| {
+            JudgedRun::of(prepared, doubts.clone(), apart)
+        });
+        if suite::STOPPED.load(Ordering::Relaxed) {
+            let stopped = Refused::that("stopped before all runs were finished");
+            return Err(stopped.kind(RefusalKind::Stopped));
+        }
+        Ok(ran.map_or_else(|_| Vec::new(), |ran| ran.lines))
+    }
+
     /// The motions of all intensities, in rising order.
     fn motions(&self, scene: &Scene, measure: Option<IntensityMeasure>) -> Result<StripeMotions, Refused> {
         let rising = |all: &[f64], option: &'static str| {
@@ -231,7 +269,7 @@ impl Arguments {
         intensities.sort_by(f64::total_cmp);
         rising(&intensities, "--stripes")?;
         Ok(StripeMotions::Scaled {
-            suite: suite::read(folder, &self.declared, scene)?,
+            suite: suite::read_to_scale(folder, &self.declared, scene)?,
             measure,
             intensities,
         })

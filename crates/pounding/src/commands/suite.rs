@@ -3,7 +3,7 @@
 use std::path::Path;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use pounding::assess::{MotionLines, Suite, SuiteMotion, Watched};
+use pounding::assess::{FolderUse, MotionLines, SelectionFactors, Suite, SuiteMotion, Watched};
 use pounding::scene::{Error, Scene, Simulation};
 use pounding::text::{RefusalKind, Refused};
 
@@ -18,6 +18,23 @@ use crate::progress::Progress;
 /// Says that the folder cannot be read, or why nothing in it shakes a row.
 pub(super) fn read(folder: &Path, declared: &Declared, scene: &Scene) -> Result<Suite, Refused> {
     Ok(Suite::in_folder(folder, declared.of_files(scene))?)
+}
+
+/// Reads the records of a folder as [`read`] does, for a command that scales each of them to an intensity.
+///
+/// # Errors
+/// Those of [`read`], and refuses the scale factors of a selection.
+pub(super) fn read_to_scale(folder: &Path, declared: &Declared, scene: &Scene) -> Result<Suite, Refused> {
+    if declared.selection_factors {
+        let found = Refused::at("--selection-factors").found("a factor on records that are scaled to every intensity");
+        let found = found.allowed_is("--stripe in place of --records: its records are as strong as in their files");
+        return Err(found.help("leave it out: it changes nothing here"));
+    }
+    let asked = FolderUse {
+        selection_factors: SelectionFactors::WithoutEffect,
+        ..declared.of_files(scene)
+    };
+    Ok(Suite::in_folder(folder, asked)?)
 }
 
 /// The lines of a folder that are finished, and how many there are to be.

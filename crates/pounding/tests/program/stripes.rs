@@ -159,3 +159,72 @@ fn extreme_what_gives_no_fragility_prints_its_stripes() {
     ];
     assert_snapshot!(refused.join("\n"));
 }
+
+/// Two frames with floors at different heights, elastic, whose drift is asked for.
+const STAGGERED: &str = r#"
+name = "staggered"
+record = { file = "records/event0_000.csv" }
+
+structures = [
+  { building = { name = "left", period_s = 0.8, damping.ratio = 0.05, storeys = [{ mass_kg = 1e5, height_m = 3, repeat = 3 }] } },
+  { building = { name = "right", period_s = 0.4, damping.ratio = 0.05, storeys = [{ mass_kg = 1e5, height_m = 4, repeat = 2 }] } },
+]
+
+[[contacts]]
+gap_m = 0.03
+law.linear_spring.impact_stiffness_n_per_m = 1e8
+"#;
+
+/// The answer said nothing of columns that floors face, of gravity, and of elastic frames that bear more than their weight.
+#[test]
+fn issue_cautions_about_the_model_stand_before_the_tables() {
+    let folder = with_records("ida-cautions");
+    fs::write(folder.join("staggered.toml"), STAGGERED).expect("a file");
+    let asked = ["ida", "staggered.toml", "--records", "records", "--im", "Sa(0.8)"];
+    let drift = [&asked[..], &["--state", "drift=0.02", "--from", "0.2"]].concat();
+    let said = printed(&pounding(&folder, &drift)).to_owned();
+    let flat = said.split_whitespace().collect::<Vec<_>>().join(" ");
+    for words in [
+        "may hit a column, which is not modelled",
+        "stability coefficient of",
+        "times the weight above",
+        "in 14 of 14 runs",
+    ] {
+        assert!(flat.contains(words), "{words}: {said}");
+    }
+    let at = |words: &str| said.find(words).unwrap_or_else(|| panic!("{words}: {said}"));
+    assert!(at("Answer") < at("Warnings") && at("Warnings") < at("Intensity"), "{said}");
+    assert_snapshot!(said);
+    // Touching is asked of a row whose structures stand apart; two tables follow the warnings there, too.
+    let touch = [&asked[..5], &["SA_avg(0.2..2)", "--gaps", "0.02"]].concat();
+    let said = printed(&pounding(&folder, &touch)).to_owned();
+    assert!(said.contains("not modelled") || said.contains("is not\n"), "{said}");
+    let at = |words: &str| said.find(words).unwrap_or_else(|| panic!("{words}: {said}"));
+    assert!(at("Warnings") < at("Gap "), "{said}");
+}
+
+/// What no row can reach, and what changes nothing, was taken without a word.
+#[test]
+fn issue_what_has_no_effect_is_refused() {
+    let folder = with_records("ida-no-effect");
+    let table = "Result ID,Record Sequence Number,Scale Factor,Horizontal-1 Acc. Filename,Horizontal-2 Acc. Filename\n\
+                 1,1,2.5,event0_000.csv,event0_090.csv\n";
+    let table = format!(" -- Summary of Metadata of Selected Records --\n{table}");
+    fs::write(folder.join("records/_SearchResults.csv"), table).expect("a file");
+    let asked = ["ida", "towers.toml", "--records", "records"];
+    let refused = |more: &[&str]| {
+        let run = pounding(&folder, &[&asked[..], more].concat());
+        assert!(run.code > 0 && run.stdout.is_empty(), "{}", run.stdout);
+        run.stderr
+    };
+    let factors = refused(&["--selection-factors"]);
+    assert!(factors.contains("--stripe in place of --records"), "{factors}");
+    let collapse = refused(&["--state", "collapse"]);
+    assert!(collapse.contains("p_delta = \"from_masses\""), "{collapse}");
+    // Every motion is scaled to every intensity, so that factors of a selection are no matter of this answer.
+    let scaled = pounding(&folder, &[&asked[..], &["--from", "0.1", "--to", "0.5"]].concat());
+    assert!(!scaled.stdout.contains("scale factors"), "{}", scaled.stdout);
+    let own = ["ida", "towers.toml", "--stripe", "0.1=records", "--stripe", "0.3=records", "--details"];
+    let own = pounding(&folder, &own);
+    assert!(own.stdout.contains("scale factors"), "{}", own.stdout);
+}

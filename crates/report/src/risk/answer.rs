@@ -28,12 +28,13 @@ impl<'a> RiskReport<'a> {
         let states = self.risks(Table::of(self.states.iter().map(named)).both("state", "State", |row| row.0.name(), |row| row.0.shown()));
         let of_gaps = Table::of(self.by_gap.iter().map(|(gap, risk)| (*gap, risk)));
         let gaps = self.risks(of_gaps.number("gap_m", "Gap", &Unit::GAP, |row| row.0));
+        // What the model cannot tell comes before its numbers.
+        answer = answer.say(Where::Terminal, "Warnings", self.warnings());
         if several {
             answer = answer.table(Where::Terminal, states.grid());
         }
         answer
             .table(Where::Terminal, gaps.grid())
-            .say(Where::Terminal, "Warnings", self.warnings())
             .table(Where::Terminal, self.stripes_grid())
             .table(Where::Details, self.motions_grid())
             .say(Where::FirstScreen, "Records", self.records(false))
@@ -259,7 +260,7 @@ impl<'a> RiskReport<'a> {
 
     /// Faults that the answer may have.
     fn warnings(&self) -> Vec<String> {
-        let mut said = Vec::new();
+        let mut said = self.cautions.clone();
         let failed: Vec<_> = self.runs.failed().collect();
         if let Some((motion, intensity, reason)) = failed.first() {
             let n = failed.len();
@@ -416,7 +417,7 @@ fn frequencies<'a, Of: 'a>(table: Table<'a, (Of, &'a Risk)>) -> Table<'a, (Of, &
 }
 
 /// A number with three significant digits, without zeros at its end: fragilities are known to one or two.
-fn three(value: f64) -> String {
+pub(super) fn three(value: f64) -> String {
     digits(format!("{value:.2e}").parse().unwrap_or(value))
 }
 

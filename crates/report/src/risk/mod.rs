@@ -1,6 +1,7 @@
 //! A row under motions of several intensities, as an answer and as a folder.
 
 mod answer;
+mod cautions;
 mod figures;
 
 use std::collections::BTreeMap;
@@ -9,6 +10,8 @@ use pounding_assess::{IntensityMeasure, Suite};
 use pounding_risk::{HazardCurve, Risk, State, StripeRuns};
 use pounding_scene::{Scene, parallel};
 use pounding_text::{Form, Refused};
+
+pub use cautions::JudgedRun;
 
 /// The states of a row under motions of several intensities, and how often it reaches them.
 #[derive(Debug)]
@@ -24,6 +27,8 @@ pub struct RiskReport<'a> {
     states: Vec<(State, Risk)>,
     /// Touching by the width of all gaps \[m\].
     by_gap: Vec<(f64, Risk)>,
+    /// What the model leaves out or cannot bear, in sentences.
+    cautions: Vec<String>,
 }
 
 /// The questions to runs.
@@ -56,6 +61,7 @@ impl<'a> RiskReport<'a> {
             hazard: asked.hazard,
             states: parallel::each(&states, of_state),
             by_gap: parallel::each(asked.gaps, of_gap),
+            cautions: Vec::new(),
         }
     }
 
