@@ -114,11 +114,12 @@ fn shaken(direction: &str, prepared: &Simulation, result: &RunResult) -> String 
 /// Returns the excesses of both directions, each kind at its worst, and the warnings.
 fn notices(prepared: &Simulation, review: &Review, other: &RunResult, names: [&str; 2]) -> Vec<String> {
     let both = [review.excesses.clone(), prepared.excesses(other)];
-    let mut kinds: Vec<ExcessKind> = both.iter().flatten().map(|one| one.kind).collect();
+    let of_kind = |one: &Excess| (one.kind, one.capacity.is_some());
+    let mut kinds: Vec<(ExcessKind, bool)> = both.iter().flatten().map(of_kind).collect();
     kinds.sort_unstable();
     kinds.dedup();
-    let of = |side: usize, kind| both[side].iter().find(|one| one.kind == kind);
-    let excess = |kind: ExcessKind| {
+    let of = |side: usize, kind| both[side].iter().find(|one| of_kind(one) == kind);
+    let excess = |kind: (ExcessKind, bool)| {
         let said = |side: usize, one: &Excess| format!("{}: {one}", names[side]);
         match (of(0, kind), of(1, kind)) {
             (Some(one), Some(other)) if (one.found - other.found).abs() <= SAME * one.found => Some(format!("both directions: {one}")),

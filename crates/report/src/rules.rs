@@ -34,6 +34,13 @@ impl RuledGap<'_> {
     /// The width that a code asks for under these motions, in a sentence.
     pub(crate) fn by_code(&self, scene: &Scene, code: Rule) -> String {
         let (words, names) = (code.words(), self.names(scene));
+        let contacts = scene.contacts.as_deref().unwrap_or_default();
+        if contacts.get(self.left).is_some_and(|contact| contact.seat_width_m.is_some()) {
+            return format!(
+                "By {}: no width between {names}, because its rule is for buildings; joints and seats of decks: EN 1998-2.",
+                code.cited()
+            );
+        }
         let Some(one) = self.rules.iter().find(|one| one.rule == code) else {
             // Beside isolators only the sum of both peaks has a width.
             let why = if self.rules.iter().all(|one| one.rule == Rule::Abs) {

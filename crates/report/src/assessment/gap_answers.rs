@@ -45,14 +45,42 @@ impl AssessmentReport {
     /// Whether the scene gives no gap, or a narrower one than is asked for.
     pub(super) fn is_wanting(&self, gap: &GapAssessment) -> bool {
         let width = self.asked_width(gap);
-        width > ALIKE && gap.own.is_none_or(|own| own < width)
+        // A wider hinge takes away the contact that holds a deck on its seat.
+        width > ALIKE && self.seat(gap).is_none() && gap.own.is_none_or(|own| own < width)
     }
 
     /// The width that the named code asks for \[m\]; `None` if none is named, or if it has no width here: a code takes all events.
     fn by_named_code(&self, gap: &GapAssessment) -> Option<f64> {
-        let code = self.code.filter(|_| self.assessment.disbelieved_alone == 0)?;
+        let code = self
+            .code
+            .filter(|_| self.assessment.disbelieved_alone == 0 && self.seat(gap).is_none())?;
         let rule = gap.rules.iter().find(|one| one.rule == code)?;
         Some(asked(rule, self.sample()).0)
+    }
+
+    /// Width of the seat in a gap \[m\], and in how many samples some floor leaves it; `None` without a seat.
+    fn seat(&self, gap: &GapAssessment) -> Option<(f64, usize)> {
+        let contact = self.scene.contacts.as_ref()?.get(gap.left)?;
+        let pairs = self.assessment.pairs.iter().zip(self.floors.facing());
+        let own = pairs.filter(|(_, facing)| facing.contact == gap.left);
+        let unseated = own.filter_map(|(pair, _)| pair.unseated).max();
+        Some((contact.seat_width_m?, unseated.unwrap_or(0)))
+    }
+
+    /// Whether a deck stays on its seat, in a sentence; empty without a seat.
+    fn says_seat(&self, gap: &GapAssessment) -> String {
+        match self.seat(gap) {
+            None => String::new(),
+            Some((width, 0)) => format!(
+                " The seat of {} mm is wide enough at the gap of the scene; at a wider gap decks move farther.",
+                millimetres(width)
+            ),
+            Some((width, n)) => format!(
+                " At the gap of the scene a deck leaves its seat of {} mm in {}: no wider gap helps, but longer seats or restrainers.",
+                millimetres(width),
+                self.of_cases(n)
+            ),
+        }
     }
 
     /// "the largest of 4 events".
@@ -99,13 +127,18 @@ impl AssessmentReport {
         let answer = self.answer_of_floors(gap);
         let danger = gap.beside_columns.zip(self.floors.says_columns(gap.left)).map(|(width, columns)| {
             let keeps = if width < gap.required.largest() {
-                format!(" {} mm keep floors from columns under these motions.", millimetres_up(width))
+                let counted = if self.assessment.disbelieved_alone > 0 {
+                    "the motions that count"
+                } else {
+                    "these motions"
+                };
+                format!(" {} mm keep floors from columns under {counted}.", millimetres_up(width))
             } else {
                 " So wide a gap keeps them apart, too.".into()
             };
             format!("{answer} {columns}{keeps}")
         });
-        danger.unwrap_or(answer)
+        danger.unwrap_or(answer) + &self.says_seat(gap)
     }
 
     fn answer_of_floors(&self, gap: &GapAssessment) -> String {
