@@ -225,7 +225,15 @@ fn issue_what_has_no_effect_is_refused() {
     // Every motion is scaled to every intensity, so that factors of a selection are no matter of this answer.
     let scaled = pounding(&folder, &[&asked[..], &["--from", "0.1", "--to", "0.5"]].concat());
     assert!(!scaled.stdout.contains("scale factors"), "{}", scaled.stdout);
-    let own = ["ida", "towers.toml", "--stripe", "0.1=records", "--stripe", "0.3=records", "--details"];
+    let own = [
+        "ida",
+        "towers.toml",
+        "--stripe",
+        "0.1=records",
+        "--stripe",
+        "0.3=records",
+        "--details",
+    ];
     let own = pounding(&folder, &own);
     assert!(own.stdout.contains("scale factors"), "{}", own.stdout);
 }
