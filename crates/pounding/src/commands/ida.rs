@@ -136,13 +136,9 @@ pub(crate) fn run(args: &Arguments) -> Result<String, Failure> {
     };
     let runs = asked.run(watched)?;
     drop(progress);
-    let suites: Vec<&Suite> = match &motions {
-        StripeMotions::Scaled { suite, .. } => vec![suite],
-        StripeMotions::Own(all) => all.iter().map(|one| &one.1).collect(),
-    };
     let report = RiskReport::of(
         &scene,
-        suites,
+        suites(&motions),
         &runs,
         RiskAsked {
             states: &args.state,
@@ -166,6 +162,14 @@ pub(crate) fn run(args: &Arguments) -> Result<String, Failure> {
             printed,
             refused: refused.clone(),
         }),
+    }
+}
+
+/// The folders of records.
+fn suites(motions: &StripeMotions) -> Vec<&Suite> {
+    match motions {
+        StripeMotions::Scaled { suite, .. } => vec![suite],
+        StripeMotions::Own(all) => all.iter().map(|one| &one.1).collect(),
     }
 }
 

@@ -166,7 +166,7 @@ name = "staggered"
 record = { file = "records/event0_000.csv" }
 
 structures = [
-  { building = { name = "left", period_s = 0.8, damping.ratio = 0.05, storeys = [{ mass_kg = 1e5, height_m = 3, repeat = 3 }] } },
+  { building = { name = "left", period_s = 2.4, damping.ratio = 0.05, storeys = [{ mass_kg = 1e5, height_m = 3, repeat = 3 }] } },
   { building = { name = "right", period_s = 0.4, damping.ratio = 0.05, storeys = [{ mass_kg = 1e5, height_m = 4, repeat = 2 }] } },
 ]
 
@@ -185,8 +185,8 @@ fn issue_cautions_about_the_model_stand_before_the_tables() {
     let said = printed(&pounding(&folder, &drift)).to_owned();
     let flat = said.split_whitespace().collect::<Vec<_>>().join(" ");
     for words in [
-        "may hit a column, which is not modelled",
-        "stability coefficient of",
+        "a slab of the neighbour hits it between its floors",
+        "stability coefficient P Δ/(V h)",
         "times the weight above",
         "in 14 of 14 runs",
     ] {
@@ -198,7 +198,8 @@ fn issue_cautions_about_the_model_stand_before_the_tables() {
     // Touching is asked of a row whose structures stand apart; two tables follow the warnings there, too.
     let touch = [&asked[..5], &["SA_avg(0.2..2)", "--gaps", "0.02"]].concat();
     let said = printed(&pounding(&folder, &touch)).to_owned();
-    assert!(said.contains("not modelled") || said.contains("is not\n"), "{said}");
+    let flat = said.split_whitespace().collect::<Vec<_>>().join(" ");
+    assert!(flat.contains("faces columns of its neighbour"), "{said}");
     let at = |words: &str| said.find(words).unwrap_or_else(|| panic!("{words}: {said}"));
     assert!(at("Warnings") < at("Gap "), "{said}");
 }

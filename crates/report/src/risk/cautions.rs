@@ -1,4 +1,4 @@
-//! What the model of a row leaves out or cannot bear, at the intensity that an answer is about.
+//! Cautions of an answer: effects outside the model, and responses that a row cannot bear, at one intensity.
 
 use pounding_assess::{JudgedSeparations, MotionLine};
 use pounding_scene::{Error, Excess, Implausible, Simulation};
