@@ -98,7 +98,7 @@ fn issue_the_largest_of_few_events_is_called_the_largest() {
         );
     }
     assert!(few[0].contains("(the largest of 2 events)"), "{}", few[0]);
-    assert!(few[1].contains("for all 2 events: the largest of so few"), "{}", few[1]);
+    assert!(few[1].contains("for both events: the largest of so few"), "{}", few[1]);
     let all = found(&work, &["--scale", "pga=0.2g"]);
     assert_eq!(all["gaps"][0]["required_m"]["p84"], Value::Null);
     for index in 0..5 {
