@@ -86,7 +86,7 @@ export class Runner {
   ask(state) {
     this.next = state;
     if (!this.running) this.go();
-    else if (performance.now() - this.since > PATIENCE) this.running.abort();
+    else setTimeout((run) => run.abort(), Math.max(0, this.since + PATIENCE - performance.now()), this.running);
   }
 
   async go() {

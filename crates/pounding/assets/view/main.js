@@ -188,7 +188,7 @@ find("play").addEventListener("click", () => play(!playing));
 function showGuide() {
   const guide = about.guides.find((one) => one.key === state.guide);
   find("guide").replaceChildren(...(guide ? [element("h2", {}, guide.title), ...guide.text.map((line) => element("p", {}, line))] : []));
-  for (const link of find("guides").children) link.toggleAttribute("aria-current", link.dataset.key === state.guide);
+  for (const link of find("guides").children) link.setAttribute("aria-current", link.dataset.key === state.guide ? "page" : "false");
   find("save").hidden = Boolean(state.guide) || !about.file;
 }
 

@@ -181,7 +181,9 @@ fn issue_a_drift_of_the_ground_is_pointed_out() {
 
     Notes     PGV and PGD without correction of the baseline; Arias intensity with g
               = 9.80665 m/s²; CAV without threshold; D: while the Arias intensity
-              grows from 5 % to 75 % and to 95 %.
+              grows from 5 % to 75 % and to 95 %; Tm: mean period of Fourier
+              amplitudes, 0.25 to 20 Hz; Housner: ∫ PSV dT from 0.1 to 2.5 s, ASI: ∫
+              PSA dT from 0.1 to 0.5 s, damping 5 %.
     ");
     let arguments = [&["convert", "offset.txt", "line.csv", "--detrend", "linear"], &declared[..]].concat();
     printed(&motion(&folder, &arguments));
