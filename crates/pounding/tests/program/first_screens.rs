@@ -192,4 +192,28 @@ fn issue_openings_of_a_bridge_are_on_the_first_screen() {
         said.contains("Seats used is how far the right side moves away from the left one"),
         "{said}"
     );
+    // A deck that has fallen is the answer, before any touch.
+    assert!(said.contains("deck 2 leaves its seat of 70 mm on deck 1 at "), "{said}");
+    assert!(at(&said, "leaves its seat") < at(&said, "Scene "), "{said}");
+    // A wider hinge takes away the contact that holds a deck on its seat.
+    let asked = ["assess", "scene.toml", "--records", "records", "--code", "en-1998-1"];
+    let said = flat(&pounding(&work, &asked));
+    assert!(said.contains("a deck leaves its seat of 70 mm in"), "{said}");
+    assert!(
+        said.contains("between deck 1 and deck 2, because its rule is for buildings"),
+        "{said}"
+    );
+    let proposed = &said[at(&said, "Proposed")..];
+    let proposed = &proposed[..at(proposed, "Largest ")];
+    assert!(!proposed.contains("between deck 1 and deck 2"), "{proposed}");
+}
+
+/// Twins never touch, and `gap` called 0 mm enough.
+#[test]
+fn issue_twins_have_no_width() {
+    let twins = CAPACITY
+        .replace("period_s = 0.4", "period_s = 0.6")
+        .replace(", drift_capacity_ratio = 0.004", "");
+    let said = under_records(&workplace("twins", &twins, false), "gap");
+    assert!(said.contains("they move alike") && !said.contains("are enough"), "{said}");
 }
