@@ -112,7 +112,7 @@ impl AssessedRun {
         let before = &alone.floors;
         let separations = alone.separations(reversed).unwrap_or_default().to_vec();
         // Closings tell how near floors come to columns that they face, and openings which floors leave their seats.
-        let has_seats = exact.scene().contacts.iter().flatten().any(|one| one.seat_width_m.is_some());
+        let has_seats = exact.scene().has_seats();
         let beside = exact.run_with(Extras {
             closings: has_seats || !exact.floors().beside_all_columns().is_empty(),
             reversed_closings: has_seats,

@@ -73,10 +73,7 @@ impl BothDirections {
 fn sentences(prepared: &Simulation, mut both: [(&str, &RunResult); 2]) -> [String; 2] {
     let strain = |result: &RunResult| {
         let strain = prepared.strain(result);
-        strain.map_or((0.0, String::new()), |(share, worst)| {
-            let said = format!("{}, {}", worst.name, worst.kind.brief(worst.found));
-            (share, said)
-        })
+        strain.map_or((0.0, String::new()), |(share, worst)| (share, worst.brief()))
     };
     let harm = |result: &RunResult| {
         let blow = Blow::all(result).into_iter().next();

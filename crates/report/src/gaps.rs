@@ -62,7 +62,9 @@ impl UnderMotion for GapsUnderMotion {
     }
 
     fn cautions(folder: &OfFolder<'_, Self>) -> Vec<String> {
-        says_over_capacity(&over_capacity_of(folder), folder.scene.words())
+        let counts = |found: &GapsUnderMotion| found.disbelieved.is_none();
+        let widths = folder.found().any(|(_, found)| counts(found));
+        says_over_capacity(&over_capacity_of(folder), folder.scene.words(), widths)
             .into_iter()
             .collect()
     }
@@ -117,21 +119,16 @@ pub fn gaps_answer<'a>(folder: &'a OfFolder<'_, GapsUnderMotion>, code: Option<R
     let moat = Floors::of(scene).ok().and_then(|floors| says_moat(&floors));
     let others = (scene.structures.len() > 2).then_some(OTHERS);
     let scaled = says_scaled(scene);
-    let said = [Some(NOTES), others, levels, travels]
-        .into_iter()
-        .flatten()
-        .map(String::from)
-        .chain(scaled)
-        .chain(moat);
+    let mut said: Vec<String> = scaled.into_iter().collect();
+    if all.iter().any(|gap| gap.all.is_some()) {
+        let of_widths = [Some(NOTES), others, levels, travels].into_iter().flatten().map(String::from);
+        said.extend(of_widths.chain(moat).chain([sources(&shown)]).chain(notes(scene, &ruled, &shown)));
+    }
     answer
         .say(Where::Terminal, "Warnings", folder.warnings())
         .say(Where::FirstScreen, "Records", folder.records(false))
         .say(Where::Details, "Records", folder.records(true))
-        .say(
-            Where::Terminal,
-            "Notes",
-            said.chain([sources(&shown)]).chain(notes(scene, &ruled, &shown)).collect(),
-        )
+        .say(Where::Terminal, "Notes", said)
         .with_csv(|| gaps_table(folder).csv())
 }
 
@@ -309,10 +306,13 @@ fn of_gap<'a>(folder: &OfFolder<'a, GapsUnderMotion>, answer: Answer<'a>, gap: &
         let name = line.name();
         Shown::from(name).over((!is_counted(line)).then(|| "not counted".into()))
     });
-    answer
+    let answer = answer
         .say(Where::Terminal, "Gap", vec![format!("{one} – {other}{in_scene}")])
-        .say(Where::Terminal, "Result", said)
-        .table(Where::Terminal, numbers(scene, shown, table, |(_, one)| Some(*one)).grid())
+        .say(Where::Terminal, "Result", said);
+    if gap.all.is_none() {
+        return answer;
+    }
+    answer.table(Where::Terminal, numbers(scene, shown, table, |(_, one)| Some(*one)).grid())
 }
 
 /// The floors of a gap that face columns, in a sentence.
@@ -355,14 +355,12 @@ fn believed<'a>(folder: &OfFolder<'a, GapsUnderMotion>, gap: usize) -> BelievedW
     let widest = widest.filter(|(.., one)| folder.suite.n_events > 1 && one.required > 0.0);
     let widest = widest.map(|(line, found, _)| format!("{}{}", line.name(), factor(found.scale)));
     let worst = beyond_belief(doubted.iter().map(|(_, excess)| *excess)).map(|worst| {
-        let n = fallen.doubted;
-        let events = if n == 1 { "event is" } else { "events are" };
-        format!(
-            "{n} {events} not counted, under which {} even {}, whatever the gap ({})",
-            fallen.says(),
-            fallen.words.alone,
-            says_beyond(worst)
-        )
+        let (says, alone, worst) = (fallen.says(), fallen.words.alone, says_beyond(worst));
+        match fallen.doubted {
+            n if n == fallen.of => format!("no width is given: under every event {says} even {alone}, whatever the gap ({worst})"),
+            1 => format!("1 event is not counted, under which {says} even {alone}, whatever the gap ({worst})"),
+            n => format!("{n} events are not counted, under which {says} even {alone}, whatever the gap ({worst})"),
+        }
     });
     BelievedWidths {
         found: all.iter().map(|(line, _, one)| ([line.event, 0], *one)).collect(),
@@ -400,7 +398,8 @@ fn enough(width: f64) -> String {
     rounded_up(width * 1e3, decimals)
 }
 
-/// The width that is enough for all events. If a building collapses or exceeds a capacity alone, it keeps floors apart, and is not called enough.
+/// The width that is enough for all events. If a building would not stand or exceeds a capacity alone, it keeps floors apart, and is not
+/// called enough.
 fn says_enough(all: &RequiredGap, fallen: &Fallen, is_over: bool) -> String {
     let widths = &all.required;
     let n = widths.sorted().len();
@@ -411,13 +410,16 @@ fn says_enough(all: &RequiredGap, fallen: &Fallen, is_over: bool) -> String {
             .into();
     }
     let all_events = match n {
-        _ if fallen.collapsed > 0 => fallen.others(),
+        _ if fallen.doubted > 0 => fallen.others(),
         1 => "the only event".into(),
         2 => "both events".into(),
         n => format!("all {n} events"),
     };
-    let keeps_apart = fallen.collapsed > 0 || is_over;
-    let enough_for = if keeps_apart { "keep floors apart in" } else { "are enough for" };
+    let enough_for = if fallen.doubted > 0 || is_over {
+        "keep floors apart in"
+    } else {
+        "are enough for"
+    };
     let spread = if widths.has_quantiles() {
         format!(
             "; {} mm for half of them, {} mm for 84 %",

@@ -28,8 +28,8 @@ pub(crate) fn over_capacity(floors: &Floors, all: &[(Case, &Excess)], of: usize,
     (0..floors.structures().len()).filter_map(of_building).collect()
 }
 
-/// The buildings that exceed a capacity even alone, in a sentence; `None` if none does.
-pub(crate) fn says_over_capacity(over: &[Excess], words: RowWords) -> Option<String> {
+/// The buildings that exceed a capacity even alone, in a sentence; `None` if none does. `widths` tells whether widths of gaps follow.
+pub(crate) fn says_over_capacity(over: &[Excess], words: RowWords, widths: bool) -> Option<String> {
     let building = words.building;
     let exceed = match over.len() {
         0 => return None,
@@ -37,8 +37,13 @@ pub(crate) fn says_over_capacity(over: &[Excess], words: RowWords) -> Option<Str
         _ => format!("{building}s exceed their capacity"),
     };
     let over: Vec<String> = over.iter().map(Excess::brief).collect();
+    let below = if widths {
+        " The widths below keep floors apart, and do no more."
+    } else {
+        ""
+    };
     Some(format!(
-        "Whatever the gap, {exceed} even {} ({}). The widths below keep floors apart, and do no more.",
+        "Whatever the gap, {exceed} even {} ({}).{below}",
         words.alone,
         over.join("; ")
     ))
@@ -81,19 +86,19 @@ impl Fallen {
             1 => format!("the one {}", self.sample),
             n => format!("the {n} {}s", self.sample),
         };
-        let which = if self.collapsed == self.doubted {
-            "without a collapse"
-        } else {
-            "that count"
+        let which = match (self.collapsed == self.doubted, self.of - self.doubted) {
+            (true, _) => "without a collapse",
+            (false, 1) => "that counts",
+            (false, _) => "that count",
         };
         format!("{others} {which}")
     }
 
-    /// The end of a sentence about a width: "; in 3 of 9 a storey collapses whatever the gap". Empty if none does.
+    /// The end of a sentence about a width: "; in 3 of 9 a building collapses whatever the gap". Empty if none does.
     pub(crate) fn whatever(&self) -> String {
-        match self.collapsed {
+        match self.doubted {
             0 => String::new(),
-            n => format!("; in {n} of {} a {} collapses whatever the gap", self.of, self.words.storey),
+            n => format!("; in {n} of {} {} whatever the gap", self.of, self.says()),
         }
     }
 }

@@ -1,5 +1,6 @@
 //! Words for the structures of a row in sentences.
 
+use crate::file::link::Law;
 use crate::{Scene, Structure};
 
 /// Words for the structures of a row and their storeys. A structure without storeys may be a deck or a tank.
@@ -14,6 +15,16 @@ pub struct RowWords {
 }
 
 impl Scene {
+    /// Whether a contact has a seat.
+    pub fn has_seats(&self) -> bool {
+        self.contacts.iter().flatten().any(|one| one.seat_width_m.is_some())
+    }
+
+    /// Whether decks of a bridge stand in the row, by seats or restrainers: limits for the storeys of buildings do not hold.
+    pub fn is_bridge(&self) -> bool {
+        self.has_seats() || self.links.iter().any(|one| matches!(one.law, Law::Restrainer { .. }))
+    }
+
     /// Words for the structures of the row and their storeys.
     pub fn words(&self) -> RowWords {
         let is_building = |one: &Structure| matches!(one, Structure::Building(_));

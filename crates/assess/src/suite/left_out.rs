@@ -261,7 +261,7 @@ impl Suite {
         } else {
             "records of the folder are"
         };
-        (n > 0).then(|| format!("{n} {are} missing here, for reasons given below."))
+        (n > 0).then(|| format!("{n} {are} missing here, not read or not run for reasons given below."))
     }
 
     /// Lists what is left out, the declarations with the files that they were used for, and what the user should check; `details` as in

@@ -69,11 +69,18 @@ export class Knobs {
     const exact = element("input", {
       type: "text", inputmode: "decimal", class: "exact", "aria-label": `${label.textContent}${unit}`, size: 7,
       onchange: () => {
-        const number = Number(exact.value.replace("\u2212", "-").replace(",", "."));
-        if (exact.value.trim() === beyond) this.turned(knob.id, null);
-        else if (Number.isFinite(number) && exact.value.trim()) this.turned(knob.id, inside(Number((number / factor).toPrecision(12))));
+        const text = exact.value.trim();
+        const number = text === beyond ? null : Number((Number(text.replace("\u2212", "-").replace(",", ".")) / factor).toPrecision(12));
+        // 1,800 may be 1.8 or 1800.
+        const isClear = text !== "" && !/,\d{3}$/.test(text);
+        const runs = number === null || (isClear && inside(number) === number);
+        exact.setCustomValidity(runs ? "" : `${text}: a number from ${words(least)} to ${words(most)}, with a point`);
+        if (!exact.reportValidity()) exact.value = words(current).replace(unit, "");
+        else this.turned(knob.id, number);
       },
+      oninput: () => exact.setCustomValidity(""),
     });
+    let current = null;
     const told = (number) => {
       slider.setAttribute("aria-valuetext", words(number));
       if (document.activeElement !== exact) exact.value = number === null ? beyond : short(number * factor);
@@ -87,7 +94,7 @@ export class Knobs {
       },
     });
     this.controls.set(knob.id, (now) => {
-      const number = now.value ?? null;
+      const number = current = now.value ?? null;
       if (document.activeElement !== slider) slider.value = place(number);
       told(number);
     });

@@ -32,6 +32,7 @@ const knobs = new Knobs(find("knobs"), (id, value) => {
 
 function turned() {
   asked ??= performance.now();
+  find("told").textContent = "";
   writeState(state);
   runner.ask({ ...state, knobs: { ...state.knobs } });
 }
@@ -46,8 +47,8 @@ const runner = new Runner(async (wanted, signal) => {
 }, (busy) => {
   document.body.ariaBusy = String(busy);
   clearTimeout(soon);
-  find("busy").hidden = true;
-  if (busy) soon = setTimeout(() => { find("busy").hidden = false; }, 400);
+  document.body.classList.remove("late");
+  if (busy) soon = setTimeout(() => document.body.classList.add("late"), 400);
 });
 
 /** Tells of an error, unless something later took its place. */
@@ -86,7 +87,7 @@ function show([fact, run]) {
 }
 
 /** The sentence of the answer stands first, with the widths that gaps need; the other parts follow the panels. */
-function showAnswer({ answer, gaps, player }) {
+function showAnswer({ answer, gaps }) {
   const parts = new DOMParser().parseFromString(answer, "text/html").body;
   const title = (part) => part.querySelector(":scope > h3")?.textContent;
   const sections = [...parts.children];
@@ -94,11 +95,7 @@ function showAnswer({ answer, gaps, player }) {
   verdict.forEach((part) => part.querySelector("h3").remove());
   find("verdict").replaceChildren(...verdict);
   find("details").replaceChildren(...sections.filter((part) => !verdict.includes(part) && title(part) !== "More"));
-  find("needs").replaceChildren(...gaps.map(({ left, gap_m: gap, enough_mm: enough, is_enough: isEnough }) => {
-    const names = player.structures.slice(left, left + 2).join(" – ");
-    const own = gap === undefined ? "" : `; it has ${short(1e3 * gap)} mm`;
-    return element("li", { class: isEnough ? "enough" : "narrow" }, `${names}: required width ${enough} mm, whatever the direction${own}, ${isEnough ? "wide enough" : "too narrow"}.`);
-  }));
+  find("needs").replaceChildren(...gaps.map((gap) => element("li", { class: gap.is_enough ? "enough" : "narrow" }, gap.says)));
 }
 
 function showCharts({ player, summary, exact_um: exact }) {
@@ -205,6 +202,7 @@ function button(id, work) {
     try {
       find("told").textContent = "…";
       find("told").textContent = await work();
+      find("fault").hidden = true;
     } catch (error) {
       if (error.status !== 409) find("told").textContent = "";
       fail(error);
@@ -231,12 +229,16 @@ window.addEventListener("hashchange", () => { Object.assign(state, readState());
 
 // ---- A record from the user's disk ----
 
+/** Records that were dropped: the last one counts, whichever is read first. */
+let drops = 0;
+
 async function shakeUnder(file) {
   try {
     if (file.size > about.record_bytes) throw new Refusal(413, `${file.name} has more than ${short(about.record_bytes / 1e6, 2)} MB: name it in the scene instead.`);
     const { guide } = state;
+    const own = ++drops;
     const record = await (await call(token, "record", state, { file })).text();
-    if (guide !== state.guide) return;
+    if (guide !== state.guide || own !== drops) return;
     state.record = record;
     turned();
   } catch (error) {

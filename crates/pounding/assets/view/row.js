@@ -40,7 +40,7 @@ export class Row {
     }
     this.height = (floor) => ABOVE + TALL - up * floor.elevation_m;
     this.build();
-    this.caption.textContent = `Displacements and gaps are drawn ${this.times === 1 ? "in the scale of" : `${this.times} times as large as`} heights. A flash grows with the impulse.${player.links.length ? " Blue lines are links." : ""} Shaken ${direction}.`;
+    this.caption.textContent = `Displacements and gaps are drawn ${this.times === 1 ? "in the scale of" : `${this.times} times as large as`} heights. A flash grows with the impulse.${player.links.length ? " Blue lines are links." : ""} Shaken ${direction}; the answer has both directions.${player.left_out ? ` ${player.left_out} more collisions are not drawn.` : ""}`;
   }
 
   build() {

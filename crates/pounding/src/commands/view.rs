@@ -8,7 +8,6 @@ mod shown;
 
 use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
-use std::process::{Command, Stdio};
 use std::sync::atomic::AtomicBool;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
@@ -74,28 +73,12 @@ pub(crate) fn run(args: &Arguments) -> Result<String, Refused> {
     let address = server.address();
     crate::print(&format!("{address}\n"))?;
     crate::say("Ctrl-C ends it");
-    if !args.no_open {
-        open(&address);
+    // Detached: Ctrl-C here must not end a browser that this opens.
+    if !args.no_open && open::that_detached(&address).is_err() {
+        crate::say("no browser was found: open the address above");
     }
     server.serve(move |asked| view.answer(asked));
     Ok(String::new())
-}
-
-/// Opens a browser if the system has one.
-fn open(address: &str) {
-    let (program, arguments): (&str, &[&str]) = if cfg!(target_os = "macos") {
-        ("open", &[])
-    } else if cfg!(windows) {
-        ("rundll32", &["url.dll,FileProtocolHandler"])
-    } else {
-        ("xdg-open", &[])
-    };
-    let mut command = Command::new(program);
-    command.args(arguments).arg(address);
-    let quiet = command.stdin(Stdio::null()).stdout(Stdio::null()).stderr(Stdio::null());
-    if quiet.spawn().is_err() {
-        crate::say("no browser was found: open the address above");
-    }
 }
 
 /// What the page shows: the user's scene, and the guides.

@@ -105,7 +105,7 @@ fn issue_impossible_responses_are_warned_of() {
     for printed in [run.stdout, all.stdout] {
         let printed = printed.split_whitespace().collect::<Vec<_>>().join(" ");
         for said in [
-            "of the height, above 2.5 % (NBCC 2015, 4.1.8.13)",
+            "of the height, above 2.5 %, the limit for buildings (NBCC 2015, 4.1.8.13)",
             "ductility demand of",
             "above the design limit of 0.25 (ASCE 7-16, 12.8.7)",
         ] {

@@ -203,7 +203,7 @@ contacts = [{ gap_m = 0.01, law.hertz.impact_stiffness_n_per_m1_5 = 2e9 }]
 fn issue_both_directions_are_judged() {
     let work = workplace("unusual_directions", BESIDE_A_WALL, false);
     let said = flat(&pounding(&work, &["run", "scene.toml"]));
-    let [first, second] = ["Answer Shaken reversed, ", "This direction is worse for the structures (tower, "]
+    let [first, second] = ["Answer Shaken reversed, ", "This direction is worse for the structures (tower: "]
         .map(|words| said.find(words).unwrap_or_else(|| panic!("{words}: {said}")));
     assert!(first < second && said[second..].contains("Shaken as given, "), "{said}");
     assert!(!said.contains("Warnings none"), "{said}");

@@ -31,7 +31,23 @@ impl AssessmentReport {
             .say_as(Where::Everywhere, Manner::Beside, "Motions", self.shaking())
             .say(Where::Terminal, "Warnings", self.warnings())
             .say_as(Where::Page, Manner::Box(not_modelled::TITLE), "", self.not_modelled())
-            .figure("spectra")
+            .figure("spectra");
+        let answer = self
+            .widths(answer)
+            .heading("What was assumed")
+            .table(Where::Page, self.assumed())
+            .appendix("what touching does");
+        let answer = self.touching(answer).figure("amplification").figure("neighbour");
+        let answer = self.rules_and_motions(answer);
+        self.facts(answer).with_csv(|| self.numbers().csv())
+    }
+
+    /// The widths that are needed, and those of rules; nothing if no event is believed while the buildings stand alone.
+    fn widths<'a>(&'a self, answer: Answer<'a>) -> Answer<'a> {
+        if self.assessment.believed_alone() == 0 {
+            return answer;
+        }
+        answer
             .heading("Required gap")
             .say(Where::Page, "", vec![REQUIRED.into()])
             .table(Where::Everywhere, first(&self.gaps()))
@@ -42,12 +58,6 @@ impl AssessmentReport {
             .say_as(Where::Page, Manner::Soft, "", self.rule_notes())
             .table(Where::Page, self.meetings())
             .figure("profiles")
-            .heading("What was assumed")
-            .table(Where::Page, self.assumed())
-            .appendix("what touching does");
-        let answer = self.touching(answer).figure("amplification").figure("neighbour");
-        let answer = self.rules_and_motions(answer);
-        self.facts(answer).with_csv(|| self.numbers().csv())
     }
 
     fn touching<'a>(&'a self, answer: Answer<'a>) -> Answer<'a> {
@@ -65,16 +75,23 @@ impl AssessmentReport {
             let why = self.floors.says_no_contact().map_or_else(|| none.into(), sentence);
             return answer.say(Where::Page, "", vec![why]);
         }
+        if self.assessment.disbelieved == self.assessment.cases {
+            let none = format!("No effect of touching is shown, since no {} is believed.", self.sample());
+            return answer.say(Where::Page, "", vec![none]);
+        }
         let worse = self.worse();
+        let [one, several] = match self.scene.words().storey {
+            "storey" => ["storey", "Storeys"],
+            _ => ["structure", "Structures"],
+        };
         let storeys = if worse.is_empty() {
-            "No storey gets worse by more than 10 %."
+            format!("No {one} gets worse by more than 10 %.")
         } else {
-            "Storeys whose drift, shear force or acceleration becomes more than 10 % larger:"
+            format!("{several} whose drift, shear force or acceleration becomes more than 10 % larger:")
         };
         let [from, to] = self.stiffness.map(pounding_text::digits);
         let runs = match self.assessment.disbelieved {
             0 => "all runs",
-            n if n == self.assessment.cases => "all runs",
             _ => "the events that count",
         };
         let forces = format!(
@@ -83,7 +100,7 @@ impl AssessmentReport {
         );
         let worse = first(&self.storeys(worse));
         let mut answer = answer
-            .say(Where::Page, "", vec![storeys.into()])
+            .say(Where::Page, "", vec![storeys])
             .say_as(Where::Page, Manner::Soft, "", vec![STOREYS.into()])
             .table(Where::Page, worse.clone())
             .table(Where::FirstScreen, worse)
@@ -109,14 +126,22 @@ impl AssessmentReport {
     }
 
     fn rules_and_motions<'a>(&'a self, answer: Answer<'a>) -> Answer<'a> {
+        let answer = if self.assessment.believed_alone() == 0 {
+            answer
+        } else {
+            answer
+                .table(Where::Terminal, first(&self.rules()))
+                .say_as(Where::Terminal, Manner::Soft, "Rules", self.rule_notes())
+                .say_as(Where::Details, Manner::Soft, "Codes", vec![sources(&Rule::ALL)])
+        };
         answer
-            .table(Where::Terminal, first(&self.rules()))
-            .say_as(Where::Terminal, Manner::Soft, "Rules", self.rule_notes())
-            .say_as(Where::Details, Manner::Soft, "Codes", vec![sources(&Rule::ALL)])
             .heading("Motions")
             .table(Where::Details, self.runs().grid())
             .say_as(Where::Everywhere, Manner::List, "Records", self.remarks().to_vec())
-            .heading("Every storey")
+            .heading(match self.scene.words().storey {
+                "storey" => "Every storey",
+                _ => "Every structure",
+            })
             .say_as(Where::Details, Manner::Soft, "Storeys", vec![STOREYS.into()])
             .table(Where::Details, self.storeys(self.every_storey()).grid())
             .say(Where::FirstScreen, "More", vec![MORE.into()])

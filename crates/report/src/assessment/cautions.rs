@@ -38,7 +38,8 @@ impl AssessmentReport {
     /// Sentences before the answer, whether or not the gap is enough: buildings that no gap helps, how records were raised, what is not
     /// believed and does not count, and on what the answer rests and should not.
     pub fn before(&self) -> Vec<String> {
-        let first = says_over_capacity(&self.over_capacity(), self.scene.words())
+        let widths = self.assessment.believed_alone() > 0;
+        let first = says_over_capacity(&self.over_capacity(), self.scene.words(), widths)
             .into_iter()
             .chain(self.raised());
         first.chain(self.disbelieved()).chain(self.cautions()).collect()
@@ -167,7 +168,7 @@ impl AssessmentReport {
     pub fn warnings(&self) -> Vec<String> {
         let mut said: Vec<String> = self.excesses().iter().map(ToString::to_string).collect();
         let counted = RunOfCase::believed(&runs_of_cases(&self.motions));
-        said.extend(Excess::says_assumed(&self.floors, |floor| {
+        said.extend(Excess::says_assumed(&self.scene, &self.floors, |floor| {
             let floors = counted.iter().map(|one| &one.run.floors[floor]);
             let drifts = floors.map(|one| one.over_stiffness[1].drift.max(one.alone.drift));
             drifts.fold(0.0, f64::max)

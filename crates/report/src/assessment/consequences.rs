@@ -39,10 +39,11 @@ impl AssessmentReport {
         self.floors.storey_name(floor)
     }
 
-    /// A drift over the storey height and its limit \[–\]; `None` if the height is not known.
+    /// A drift over the storey height and its limit \[–\]; `None` if the height is not known, and of a bridge without capacities.
     fn of_limit(&self, floor: usize, drift: f64) -> Option<[f64; 2]> {
         let made_of = self.floors.all()[floor].made_of?;
-        let limit = made_of.capacities.drift_capacity_ratio.unwrap_or(ExcessKind::MOST_DRIFT);
+        let general = (!self.scene.is_bridge()).then_some(ExcessKind::MOST_DRIFT);
+        let limit = made_of.capacities.drift_capacity_ratio.or(general)?;
         Some([drift / made_of.height_m?, limit])
     }
 
@@ -79,8 +80,13 @@ impl AssessmentReport {
         let name = self.storey_name(floor);
         let Some([drift, limit]) = self.of_limit(floor, Self::at_most(one)) else {
             let [drift, alone] = [Self::at_most(one), one.largest_drift_alone].map(|drift| two_digits(1e3 * drift));
+            let why = if self.scene.is_bridge() {
+                "limits for storeys of buildings do not hold for a bridge (drift_capacity_ratio)"
+            } else {
+                "without its height there is no limit for it"
+            };
             return Some(format!(
-                "Largest drift when they touch: {drift} mm ({name}), alone {alone} mm; without its height there is no limit for it."
+                "Largest drift when they touch: {drift} mm ({name}), alone {alone} mm; {why}."
             ));
         };
         let of_height = |drift: f64| self.of_limit(floor, drift).map(|[drift, _]| percent(drift));
@@ -161,17 +167,18 @@ impl AssessmentReport {
         let grows = |ratio: f64| ratio > FloorAssessment::WORSE;
         let all = self.changed(|_, one| Some(&one.drift), grows, true)?;
         let harmful = |floor, one| (!self.is_small(floor, one)).then_some(&one.drift);
-        let limit = format!("{} of their limit", percent(SMALL));
+        let limit = |whose: &str| format!("{} of {whose} limit", percent(SMALL));
         let Some(Changed { count, floor, ratio }) = self.changed(harmful, grows, true) else {
             return Some(format!(
-                "{} below {limit}.",
-                self.storeys_that(all.count, ["drifts over 10 % more, but stays", "drift over 10 % more, but stay"])
+                "{} below {}.",
+                self.storeys_that(all.count, ["drifts over 10 % more, but stays", "drift over 10 % more, but stay"]),
+                limit(if all.count == 1 { "its" } else { "their" })
             ));
         };
         let harmless = match all.count - count {
             0 => String::new(),
-            1 => format!(" One other does so, too, but stays below {limit}."),
-            n => format!(" {n} others do so, too, but stay below {limit}."),
+            1 => format!(" One other does so, too, but stays below {}.", limit("its")),
+            n => format!(" {n} others do so, too, but stay below {}.", limit("their")),
         };
         Some(format!(
             "{} by more than 10 %, {}: {}.{harmless}",

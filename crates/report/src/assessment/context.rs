@@ -14,9 +14,7 @@ const ASSESS: &str = "every assessment";
 impl AssessmentReport {
     /// Every rule for every gap in its own form, beside the time history.
     pub(super) fn official(&self) -> Grid {
-        let gaps = self.assessment.gaps.iter();
-        let all = gaps.flat_map(|gap| gap.rules.iter().map(move |rule| (gap, rule)));
-        Table::of(all)
+        Table::of(self.gaps_and_rules())
             .shown("Rule", |(gap, rule)| {
                 let between = (self.assessment.gaps.len() > 1).then(|| self.gap_names(gap).join(" – "));
                 Shown::from(rule.rule.name()).over(between)
@@ -26,7 +24,7 @@ impl AssessmentReport {
             .shown_number("Largest", &Unit::WIDTH, |(_, rule)| rule.width.largest())
             .shown_number("Time history, largest", &Unit::NEEDED, |(gap, _)| gap.required.largest())
             .shown("Too narrow", |(_, rule)| {
-                format!("{} of {}", rule.too_narrow, self.assessment.cases)
+                format!("{} of {}", rule.too_narrow, rule.width.sorted().len())
             })
             .shown_number("At worst", &Unit::WHOLE_PERCENT, |(_, rule)| rule.least_share)
             .grid()

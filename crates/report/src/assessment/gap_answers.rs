@@ -58,8 +58,13 @@ impl AssessmentReport {
         Some(asked(rule, self.sample()).0)
     }
 
+    /// Whether a width may be called enough or proposed: no building exceeds a capacity or would hardly stand alone.
+    pub(super) fn says_enough(&self) -> bool {
+        self.over_capacity().is_empty() && self.assessment.disbelieved_alone == 0
+    }
+
     /// Width of the seat in a gap \[m\], and in how many samples some floor leaves it; `None` without a seat.
-    fn seat(&self, gap: &GapAssessment) -> Option<(f64, usize)> {
+    pub(super) fn seat(&self, gap: &GapAssessment) -> Option<(f64, usize)> {
         let contact = self.scene.contacts.as_ref()?.get(gap.left)?;
         let pairs = self.assessment.pairs.iter().zip(self.floors.facing());
         let own = pairs.filter(|(_, facing)| facing.contact == gap.left);
@@ -124,6 +129,9 @@ impl AssessmentReport {
 
     /// Whether a gap is enough, and the danger of floors that face columns.
     fn answer_of(&self, gap: &GapAssessment) -> String {
+        if self.assessment.believed_alone() == 0 {
+            return self.says_no_width(gap) + &self.says_seat(gap);
+        }
         let answer = self.answer_of_floors(gap);
         let danger = gap.beside_columns.zip(self.floors.says_columns(gap.left)).map(|(width, columns)| {
             let keeps = if width < gap.required.largest() {
@@ -139,6 +147,20 @@ impl AssessmentReport {
             format!("{answer} {columns}{keeps}")
         });
         danger.unwrap_or(answer) + &self.says_seat(gap)
+    }
+
+    /// Why a gap has no width, and whether its neighbours touch.
+    fn says_no_width(&self, gap: &GapAssessment) -> String {
+        let [left, right] = self.gap_names(gap);
+        let why = self.says_fallen(&format!("under every {}", self.sample()));
+        let touch = gap.own.map_or_else(String::new, |own| {
+            format!(
+                " With the {} mm of the scene they touch in {}.",
+                millimetres(own),
+                self.touch_in(gap)
+            )
+        });
+        format!("No width is given for {left} and {right}: {why}.{touch}")
     }
 
     fn answer_of_floors(&self, gap: &GapAssessment) -> String {
@@ -240,7 +262,7 @@ impl AssessmentReport {
             ""
         };
         let fallen = self.fallen();
-        if fallen.collapsed > 0 {
+        if fallen.doubted > 0 {
             let keeps = if is_one {
                 format!("{all} mm keeps floors apart in {}", fallen.others())
             } else {
@@ -250,15 +272,11 @@ impl AssessmentReport {
         }
         let said = match gap.required.sorted().len() {
             1 => format!("{all} mm {enough} for the only {samples}"),
+            2 => format!("{all} mm {enough} for both {samples}s"),
             n if is_one => format!("{all} mm {enough} for all {n} {samples}s"),
             n => format!("{most} mm {enough} for 84 % of the {n} {samples}s, {all} mm for all"),
         };
-        let counted = match (self.assessment.disbelieved_alone, gap.required.sorted().len()) {
-            (0, _) => "",
-            (_, 1) => " that counts",
-            _ => " that count",
-        };
-        format!("{said}{counted}{others}.{}", self.decides(gap))
+        format!("{said}{others}.{}", self.decides(gap))
     }
 
     /// The motion that asks for the largest width, in a sentence; empty for a single event.
@@ -325,7 +343,8 @@ impl AssessmentReport {
     pub fn proposals(&self) -> Vec<String> {
         let gaps = self.assessment.gaps.iter();
         let wanting: Vec<&GapAssessment> = gaps.filter(|gap| self.is_wanting(gap)).collect();
-        if wanting.is_empty() {
+        // Where no event counts, the answer of every gap says so.
+        if wanting.is_empty() || self.assessment.believed_alone() == 0 {
             return self.bumper_says();
         }
         let mut said = vec![match self.unfounded() {
@@ -390,7 +409,7 @@ impl AssessmentReport {
         } else {
             ""
         };
-        let only = if self.over_capacity().is_empty() && self.assessment.collapsed_alone == 0 {
+        let only = if self.says_enough() {
             ""
         } else {
             " to keep floors apart, for no more"

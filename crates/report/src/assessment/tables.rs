@@ -42,7 +42,7 @@ fn ends(of: Option<&[Distribution; 2]>) -> Cell {
 }
 
 /// A gap and the width that a rule gives it.
-type RuleOfGap<'a> = (&'a GapAssessment, &'a RuleAssessment);
+pub(super) type RuleOfGap<'a> = (&'a GapAssessment, &'a RuleAssessment);
 
 impl AssessmentReport {
     fn between(&self, gap: &GapAssessment) -> String {
@@ -77,14 +77,7 @@ impl AssessmentReport {
             .column("beside_columns_m", |gap| Cell::exact(gap.beside_columns))
             .both(
                 "proposed_m",
-                (
-                    if self.over_capacity().is_empty() {
-                        "Proposed"
-                    } else {
-                        "Keeps apart"
-                    },
-                    "mm",
-                ),
+                (if self.says_enough() { "Proposed" } else { "Keeps apart" }, "mm"),
                 |gap| Cell::exact(self.proposal(gap)),
                 |gap| {
                     let proposed = self.proposal(gap).filter(|_| self.is_wanting(gap));
@@ -124,8 +117,13 @@ impl AssessmentReport {
 
     /// The widths of the rules of codes for every gap.
     pub(super) fn rules(&self) -> Table<'_, RuleOfGap<'_>> {
-        let gaps = self.assessment.gaps.iter();
-        self.of_rules(gaps.flat_map(|gap| gap.rules.iter().map(move |rule| (gap, rule))))
+        self.of_rules(self.gaps_and_rules())
+    }
+
+    /// Every rule of every gap that is no hinge of a bridge: rules for joints between buildings do not size one.
+    pub(super) fn gaps_and_rules(&self) -> impl Iterator<Item = RuleOfGap<'_>> {
+        let gaps = self.assessment.gaps.iter().filter(|gap| self.seat(gap).is_none());
+        gaps.flat_map(|gap| gap.rules.iter().map(move |rule| (gap, rule)))
     }
 
     fn of_rules<'a>(&'a self, rules: impl Iterator<Item = RuleOfGap<'a>>) -> Table<'a, RuleOfGap<'a>> {
@@ -155,7 +153,7 @@ impl AssessmentReport {
             n => n,
         };
         let heading = match counted {
-            n if n >= Distribution::ENOUGH => "When they touch, median / 84 %".into(),
+            n if n >= Distribution::ENOUGH => "When they touch, median / 84 %; one number is the largest".into(),
             1 => format!("When they touch, the only {}", self.sample()),
             n => format!("When they touch, largest of {n} {}s", self.sample()),
         };

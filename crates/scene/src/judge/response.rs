@@ -57,6 +57,7 @@ impl Excess {
     pub fn brief(&self) -> String {
         let colon = if self.kind.is_unwatched() { "" } else { ":" };
         let limit = match (self.kind.bound(), self.capacity) {
+            _ if self.found <= self.limit() => String::new(),
             (_, Some(capacity)) if [ExcessKind::Shear, ExcessKind::ColumnHit].contains(&self.kind) => {
                 format!(", above its capacity of {} kN", short(1e-3 * capacity))
             }
@@ -158,7 +159,7 @@ impl Simulation {
         for told in [true, false] {
             let n = hit.iter().filter(|one| one.capacity.is_some() == told).count();
             for one in hit.iter_mut().filter(|one| n > 1 && one.capacity.is_some() == told) {
-                one.name = format!("{} and {} more", one.name, n - 1);
+                one.name = format!("{}, the hardest of {n} that are hit", one.name);
             }
         }
         hit

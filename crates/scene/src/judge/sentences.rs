@@ -6,7 +6,7 @@ use pounding_text::{percent, short, two_digits};
 
 use super::excess_kind::ExcessKind;
 use super::response::Excess;
-use crate::Floors;
+use crate::{Floors, Scene};
 
 impl Display for Excess {
     fn fmt(&self, to: &mut Formatter<'_>) -> fmt::Result {
@@ -87,8 +87,11 @@ impl Excess {
     }
 
     /// A sentence about the largest drift ratio that is judged as of ductile construction because its storey has no capacity, from drifts
-    /// \[m\] of the floors; `None` if it harms no construction, or is beyond the limit and thus an excess.
-    pub fn says_assumed(floors: &Floors, drift: impl Fn(usize) -> f64) -> Option<String> {
+    /// \[m\] of the floors; `None` if it harms no construction, is beyond the limit and thus an excess, or if the row is a bridge.
+    pub fn says_assumed(scene: &Scene, floors: &Floors, drift: impl Fn(usize) -> f64) -> Option<String> {
+        if scene.is_bridge() {
+            return None;
+        }
         let all = floors.all().iter().enumerate();
         let assumed = all.filter(|(_, one)| {
             let told = one.made_of.map(|made| made.capacities.drift_capacity_ratio);
@@ -147,7 +150,7 @@ fn column_hit(found: f64, capacity: Option<f64>) -> String {
         }
         Some(capacity) => format!(
             "a slab of the neighbour hits it between its floors: a shear force of {shear} kN in one column for the assumed contact stiffness, \
-             above its capacity of {} kN, so that the storey may come down",
+             above its capacity of {} kN: it fails, which the model leaves out, and the storey may come down",
             short(1e-3 * capacity)
         ),
         None => format!(
@@ -171,7 +174,7 @@ fn drift(found: f64, capacity: Option<f64>) -> String {
             percent(capacity)
         ),
         None => format!(
-            "drift of {found} of the height, above 2.5 % (NBCC 2015, 4.1.8.13): columns that lose strength, which the model leaves out, \
+            "drift of {found} of the height, above 2.5 %, the limit for buildings (NBCC 2015, 4.1.8.13): columns that lose strength, which the model leaves out, \
              decide. {DUCTILE}"
         ),
     }

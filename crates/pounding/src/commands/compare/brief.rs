@@ -2,23 +2,26 @@
 
 use std::collections::BTreeMap;
 
-use pounding::assess::Separation;
+use pounding::assess::{JudgedSeparations, beyond_belief};
 use pounding::report::{Blow, other_direction};
-use pounding::scene::{Error, RunResult};
+use pounding::scene::{Error, PairQuantity, RunResult};
 use pounding::text::{NONE, millimetres_up, percent, short, two_digits};
 use serde_json::Value;
 
 use super::ComparedRun;
 use super::rows::{ComparedRow, ComparedValue};
 
-/// Fields that differ and have a row; the others are counted.
+/// Fields that differ and have a row.
 const MOST: usize = 2;
+
+/// Other fields that differ and are named.
+const NAMED: usize = 8;
 
 /// What both directions of shaking of a scene gave.
 struct BothWays<'a> {
     scene: &'a ComparedRun,
     other: Option<RunResult>,
-    /// Largest width that a gap needs while nothing touches \[m\]; `None` if there is no gap.
+    /// Largest width that a gap needs while nothing touches \[m\]; `None` if there is no gap, or if a structure would not stand alone.
     needed: Option<f64>,
 }
 
@@ -29,8 +32,13 @@ impl<'a> BothWays<'a> {
             None
         } else {
             let reversed = prepared.under(|record| record.scaled(-1.0))?;
-            let both = [Separation::of(prepared)?, Separation::of(&reversed)?];
-            both.iter().flatten().map(|one| one.required).reduce(f64::max)
+            let both = [prepared, &reversed].map(JudgedSeparations::of);
+            let [one, other] = both;
+            let both = [one?, other?];
+            // Of a structure that would not stand alone no gap is needed.
+            let stands = both.iter().all(|one| beyond_belief(&one.excesses).is_none());
+            let widths = both.iter().flat_map(|one| &one.separations).map(|one| one.required);
+            widths.reduce(f64::max).filter(|_| stands)
         };
         Ok(Self {
             scene,
@@ -77,9 +85,12 @@ pub(super) fn rows(runs: &[ComparedRun]) -> Result<(Vec<ComparedRow>, Vec<String
     rows.push(text("largest force [kN]", &|one| Some(two_digits(one.hardest(|blow| blow.force)?))));
     rows.push(of("largest impulse [kN·s]", &|one| one.hardest(|blow| Some(blow.impulse))));
     rows.push(ComparedRow {
-        name: "drift, part of its limit".into(),
+        name: "worst strain, part of its limit".into(),
         cells: both.iter().map(|one| strain(one).into()).collect(),
     });
+    if both.iter().any(|one| one.scene.prepared.scene().has_seats()) {
+        rows.push(text("leaves its seat", &unseated));
+    }
     rows.push(text("gap needed [mm]", &|one| Some(millimetres_up(one.needed?))));
     rows.push(text("warnings, see run", &|one| Some(one.scene.review.excesses.len().to_string())));
     let mut said = vec![
@@ -92,19 +103,46 @@ pub(super) fn rows(runs: &[ComparedRun]) -> Result<(Vec<ComparedRow>, Vec<String
     }
     match differing.len().saturating_sub(MOST) {
         0 => {}
-        1 => said.push("1 more field differs".into()),
-        n => said.push(format!("{n} more fields differ")),
+        1 => said.push(format!("{} differs, too", differing[MOST].0)),
+        n => {
+            let names: Vec<&str> = differing.iter().skip(MOST).take(NAMED).map(|(name, _)| name.as_str()).collect();
+            let more = if n > names.len() {
+                format!(", and {} more", n - names.len())
+            } else {
+                String::new()
+            };
+            said.push(format!("{n} more fields differ: {}{more}", names.join(", ")));
+        }
     }
     said.push("--details prints every floor and pair, in the direction of the scene".into());
     Ok((rows, said))
 }
 
-/// The largest drift or ductility over its limit, and which it is.
+/// The first floor that leaves its seat in either direction, and when; `None` if none does.
+fn unseated(both: &BothWays<'_>) -> Option<String> {
+    let prepared = &both.scene.prepared;
+    let pairs = 0..prepared.pairs().len();
+    let all = both.runs().flat_map(|run| {
+        let values = run.values(prepared);
+        let times = pairs.clone().map(move |pair| (pair, values.of(PairQuantity::UnseatedS, pair)));
+        times.filter_map(|(pair, time)| Some((time?, pair)))
+    });
+    let (time, pair) = all.min_by(|one, other| one.0.total_cmp(&other.0))?;
+    let [_, right] = prepared.floors().names(pair);
+    Some(format!("{right}, at {} s", short(time)))
+}
+
+/// The drift, ductility or force that is the largest part of its limit, and which it is.
 fn strain(both: &BothWays<'_>) -> String {
     let strains = both.runs().filter_map(|run| both.scene.prepared.strain(run));
     let worst = strains.max_by(|one, other| one.0.total_cmp(&other.0));
     worst.map_or(NONE.into(), |(share, worst)| {
-        format!("{} ({})", percent(share), worst.kind.brief(worst.found))
+        let share = if share < f64::MAX {
+            format!("{} ", percent(share))
+        } else {
+            String::new()
+        };
+        format!("{share}({})", worst.kind.brief(worst.found))
     })
 }
 

@@ -7,7 +7,7 @@ use std::path::Path;
 
 use pounding::assess::{Distribution, Effects, MotionLine};
 use pounding::report::{FILES_OF_RECORDS, OfFolder, SCHEMA_VERSION, Site};
-use pounding::scene::{Error, Floors, Scene};
+use pounding::scene::{Error, Floors, PairQuantity, Scene};
 use pounding::text::{Answer, Cell, Form, Grid, NONE, Refused, Shown, Table, Where, instant, percent, short, two_decimals};
 
 use super::Arguments;
@@ -193,7 +193,29 @@ fn result(runs: &Runs<'_>) -> Vec<String> {
             short(impulse / 1e3)
         )
     });
-    [Some(touch), missed, hardest].into_iter().flatten().collect()
+    let collapsed = runs.found().filter(|(_, run)| run.collapse.is_some());
+    let collapsed = told("a storey collapses", collapsed.map(|(line, _)| line), finished);
+    let off = |pair: usize| {
+        let (_, first) = runs.found().next()?;
+        let one = &first.pairs[pair];
+        let is_off = |run: &RunUnderMotion| run.pairs[pair].number(PairQuantity::UnseatedS).is_some();
+        let lines = runs.found().filter(|(_, run)| is_off(run)).map(|(line, _)| line);
+        told(&format!("{} leaves its seat on {}", one.right, one.left), lines, finished)
+    };
+    let n_pairs = runs.found().next().map_or(0, |(_, run)| run.pairs.len());
+    let unseated = (0..n_pairs).filter_map(off);
+    let first = [collapsed].into_iter().flatten().chain(unseated);
+    first.chain([Some(touch), missed, hardest].into_iter().flatten()).collect()
+}
+
+#[expect(single_use_lifetimes, reason = "an anonymous one is unstable here")]
+/// What happens under these motions, in how many of `of` events, in a sentence; `None` if it happens under none.
+fn told<'a>(what: &str, lines: impl Iterator<Item = &'a MotionLine<RunUnderMotion>>, of: usize) -> Option<String> {
+    let lines: Vec<_> = lines.collect();
+    let n = lines.iter().map(|line| line.event).collect::<BTreeSet<usize>>().len();
+    let s = if of == 1 { "" } else { "s" };
+    let first = lines.first()?;
+    Some(format!("{what} under {n} of {of} event{s}, first {}", first.name()))
 }
 
 /// Adds the effects of pounding on every storey, if they were asked for.

@@ -34,8 +34,8 @@ pub(super) const ALL: [Guide; 8] = [
         key: "wider",
         title: "A wider gap can be worse",
         text: &[
-            "Drag the gap from 40 to 60 mm. The blow becomes a third harder, and the new building drifts a fifth further: a narrow gap stops \
-             the swing early, a wider one lets both buildings pick up speed before they meet.",
+            "Drag the gap from 40 to 60 mm. The record is reversed here: the blow becomes a third harder, and the new building drifts a fifth \
+             further, since both pick up more speed before they meet. As given, the wider gap is better.",
             "Above the required width nothing touches. Until then wider is not always safer.",
         ],
         scene: include_str!("../../../assets/view/wider.toml"),
@@ -97,10 +97,10 @@ pub(super) const ALL: [Guide; 8] = [
         key: "slip",
         title: "The paper’s slip",
         text: &[
-            "The paper says that half the time step leaves the transferred momenta of layout C the same. This rests on a slip: its program lets \
-             a pair collide that already parts, which adds a fifth at 5 ms.",
-            "This page runs the method as the paper describes it, under another reading of the record. Choose half the step: the momenta grow by \
-             an eighth to a fifth. Choose the exact method: half as much again as at 5 ms.",
+            "The paper says: half the time step does not change the momenta that pass between the buildings of layout C. Its numbers say so, \
+             because its program made a slip: it lets a pair collide that already parts. At 5 ms that adds a fifth.",
+            "Here the method has no slip. Choose half the step, and the momenta grow by an eighth to a fifth. Choose the exact method, and they are \
+             half as large again as at 5 ms. So the step matters.",
         ],
         scene: include_str!("../../../assets/view/slip.toml"),
         knobs: &["step", "method"],

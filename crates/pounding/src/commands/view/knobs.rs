@@ -227,7 +227,7 @@ impl Knob {
                 if label == SLACK {
                     Kind::number(*number, [0.0, (3.0 * before).max(0.1)], unit)
                 } else {
-                    Kind::factor(*number, [1e-3 * before, 1e3 * before], unit)
+                    Kind::factor(*number, [1e-2 * before, 300.0 * before], unit)
                 }
             }
             Self::Scale => {

@@ -6,11 +6,11 @@ use std::sync::atomic::AtomicBool;
 use std::sync::{Arc, Mutex, PoisonError};
 use std::thread;
 
-use pounding::assess::Separation;
+use pounding::assess::{JudgedSeparations, Separation, beyond_belief};
 use pounding::contact::{ContactLaw, Stereomechanical};
 use pounding::report::{Player, Report, Summary, other_direction};
 use pounding::scene::{Contact, Error, FileUse, GroundMotion, Origin, Scene, Simulation, SimulationOptions, Source};
-use pounding::text::{Refused, json_text, rounded_up};
+use pounding::text::{Refused, json_text, rounded_up, short};
 use serde::Serialize;
 
 use super::guides::Guide;
@@ -26,8 +26,8 @@ pub(super) struct Base {
     widths: Mutex<Option<(Scene, Widths)>>,
 }
 
-/// The widths of all gaps under the shaking as given, and reversed.
-type Widths = [Vec<Separation>; 2];
+/// The widths of all gaps under the shaking as given, and reversed; `None` if a structure would hardly stand alone.
+type Widths = Option<[Vec<Separation>; 2]>;
 
 /// What the page shows of a run.
 #[derive(Debug, Serialize)]
@@ -46,15 +46,8 @@ pub(super) struct Shown {
 /// A gap and the width that it needs, whatever the direction of shaking.
 #[derive(Debug, Serialize)]
 struct GapNeeds {
-    /// Index of the structure on the left.
-    left: usize,
-    /// Width in the scene \[m\].
-    #[serde(skip_serializing_if = "Option::is_none")]
-    gap_m: Option<f64>,
-    /// Widths that shaking as given and reversed ask for \[m\].
-    required_m: [f64; 2],
-    /// The larger of both in millimetres, rounded up.
-    enough_mm: String,
+    /// A sentence: the required width, and that of the scene.
+    says: String,
     is_enough: bool,
 }
 
@@ -76,11 +69,7 @@ impl Base {
     /// # Errors
     /// Refuses a record that cannot be read.
     pub(super) fn read(scene: Scene, folder: &Path) -> Result<Self, Error> {
-        let origin = match &scene.record.source {
-            Source::File(file) => Some(Arc::new(Origin::read(&folder.join(&file.file), file)?)),
-            Source::Generated(_) => None,
-        };
-        Ok(Self::of(scene, origin))
+        Self::with(scene, |file| Origin::read(&folder.join(&file.file), file))
     }
 
     /// A scene of the program under a record of the program.
@@ -89,8 +78,12 @@ impl Base {
     /// Those of a scene and of a record.
     pub(super) fn own(scene: &str, record: &[u8]) -> Result<Self, Error> {
         let scene = Scene::parse(scene.as_bytes(), Path::new("scene.toml"))?;
+        Self::with(scene, |file| Origin::of(Path::new(&file.file), record, file))
+    }
+
+    fn with(scene: Scene, read: impl FnOnce(&FileUse) -> Result<Origin, Error>) -> Result<Self, Error> {
         let origin = match &scene.record.source {
-            Source::File(file) => Some(Arc::new(Origin::of(Path::new(&file.file), record, file)?)),
+            Source::File(file) => Some(Arc::new(read(file)?)),
             Source::Generated(_) => None,
         };
         Ok(Self::of(scene, origin))
@@ -191,16 +184,22 @@ impl Base {
         if contacts.is_empty() {
             return Ok(Vec::new());
         }
-        let [given, reversed] = self.widths(prepared)?;
-        let needs = given.into_iter().zip(reversed).map(|(given, reversed)| {
-            let gap_m = contacts.get(given.left).map(|one| one.gap_m);
-            GapNeeds {
-                left: given.left,
-                gap_m,
-                required_m: [given.required, reversed.required],
-                enough_mm: rounded_up(1e3 * given.required.max(reversed.required), 1),
-                is_enough: gap_m.is_some_and(|gap| !given.asks_for_more(gap) && !reversed.asks_for_more(gap)),
-            }
+        let Some([given, reversed]) = self.widths(prepared)? else {
+            let says = "No width is given: a structure would hardly stand even alone.".into();
+            return Ok(vec![GapNeeds { says, is_enough: false }]);
+        };
+        let needs = given.into_iter().zip(reversed).filter_map(|(given, reversed)| {
+            let gap = contacts.get(given.left)?.gap_m;
+            let is_enough = !given.asks_for_more(gap) && !reversed.asks_for_more(gap);
+            let names = [given.left, given.left + 1].map(|one| prepared.scene().structures[one].name());
+            let enough = rounded_up(1e3 * given.required.max(reversed.required), 1);
+            let says = format!(
+                "{}: required width {enough} mm, whatever the direction; it has {} mm, {}.",
+                names.join(" – "),
+                short(1e3 * gap),
+                if is_enough { "wide enough" } else { "too narrow" }
+            );
+            Some(GapNeeds { says, is_enough })
         });
         Ok(needs.collect())
     }
@@ -219,8 +218,10 @@ impl Base {
             return Ok(widths.clone());
         }
         let mirrored = prepared.under(|record| record.scaled(-1.0))?;
-        let (given, reversed) = both(|| Separation::of(prepared), || Separation::of(&mirrored));
-        let widths = [given?, reversed?];
+        let (given, reversed) = both(|| JudgedSeparations::of(prepared), || JudgedSeparations::of(&mirrored));
+        let all = [given?, reversed?];
+        let stand = all.iter().all(|one| beyond_belief(&one.excesses).is_none());
+        let widths = stand.then(|| all.map(|one| one.separations));
         *known() = Some((row, widths.clone()));
         Ok(widths)
     }
@@ -247,7 +248,7 @@ fn blank(contact: Contact) -> Contact {
 /// A scene as a program for Python, which reads JSON as its own but for three words.
 pub(super) fn python(scene: &Scene) -> String {
     format!(
-        "# Run it in the folder of the scene's file.\nimport pounding\n\ntrue, false, null = True, False, None\nscene = pounding.scene({})\n\
+        "# Run it in the folder of the scene's file, beside its record; `pounding demo` writes that of the demo and of the guided pages.\nimport pounding\n\ntrue, false, null = True, False, None\nscene = pounding.scene({})\n\
          run = scene.run()\nprint(run.sentence)\nprint(run.pairs)\n",
         json_text(scene).trim_end()
     )

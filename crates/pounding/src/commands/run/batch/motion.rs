@@ -23,7 +23,7 @@ pub(super) struct RunUnderMotion {
     excesses: Vec<Excess>,
     pub(super) warnings: Vec<String>,
     /// The collapse that ended the run, if there is one.
-    collapse: Option<CollapseSummary>,
+    pub(super) collapse: Option<CollapseSummary>,
     /// The collisions of all pairs.
     pub(super) all: PairOutcome,
     structures: Vec<StructureSummary>,
