@@ -20,8 +20,8 @@ impl Scene {
         self.contacts.iter().flatten().any(|one| one.seat_width_m.is_some())
     }
 
-    /// Whether decks of a bridge stand in the row, by seats or restrainers: limits for the storeys of buildings do not hold.
-    pub fn is_bridge(&self) -> bool {
+    /// Whether decks of a bridge stand in the row, by seats or restrainers.
+    pub(crate) fn is_bridge(&self) -> bool {
         self.has_seats() || self.links.iter().any(|one| matches!(one.law, Law::Restrainer { .. }))
     }
 

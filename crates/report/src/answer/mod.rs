@@ -192,7 +192,7 @@ impl Report<'_> {
         }
         let others = self.directions.iter().filter_map(|both| both.other.as_ref());
         let runs: Vec<&RunResult> = std::iter::once(&self.review.outcome).chain(others).collect();
-        warnings.extend(Excess::says_assumed(self.prepared.scene(), self.prepared.floors(), |floor| {
+        warnings.extend(Excess::says_assumed(self.prepared.floors(), |floor| {
             let drifts = runs.iter().map(|run| run.peaks.of(floor).drift().value.abs());
             drifts.fold(0.0, f64::max)
         }));

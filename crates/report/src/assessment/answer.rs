@@ -18,7 +18,7 @@ impl AssessmentReport {
     pub fn answer(&self) -> Answer<'_> {
         let unusual = self.unusual().iter().map(ToString::to_string).collect();
         // What no gap helps against is the bold sentence of the page.
-        let is_over = !self.over_capacity().is_empty();
+        let is_over = !self.over_capacity().is_empty() || self.off_seats().is_some();
         let verdict = Manner::Verdict {
             before: if is_over { 0 } else { self.before().len() },
             touch: is_over || !self.hit().is_empty(),
@@ -37,7 +37,11 @@ impl AssessmentReport {
             .heading("What was assumed")
             .table(Where::Page, self.assumed())
             .appendix("what touching does");
-        let answer = self.touching(answer).figure("amplification").figure("neighbour");
+        let mut answer = self.touching(answer);
+        if self.assessment.disbelieved < self.assessment.cases {
+            answer = answer.figure("amplification");
+        }
+        let answer = answer.figure("neighbour");
         let answer = self.rules_and_motions(answer);
         self.facts(answer).with_csv(|| self.numbers().csv())
     }

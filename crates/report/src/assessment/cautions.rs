@@ -41,6 +41,7 @@ impl AssessmentReport {
         let widths = self.assessment.believed_alone() > 0;
         let first = says_over_capacity(&self.over_capacity(), self.scene.words(), widths)
             .into_iter()
+            .chain(self.off_seats())
             .chain(self.raised());
         first.chain(self.disbelieved()).chain(self.cautions()).collect()
     }
@@ -168,7 +169,7 @@ impl AssessmentReport {
     pub fn warnings(&self) -> Vec<String> {
         let mut said: Vec<String> = self.excesses().iter().map(ToString::to_string).collect();
         let counted = RunOfCase::believed(&runs_of_cases(&self.motions));
-        said.extend(Excess::says_assumed(&self.scene, &self.floors, |floor| {
+        said.extend(Excess::says_assumed(&self.floors, |floor| {
             let floors = counted.iter().map(|one| &one.run.floors[floor]);
             let drifts = floors.map(|one| one.over_stiffness[1].drift.max(one.alone.drift));
             drifts.fold(0.0, f64::max)
@@ -206,6 +207,16 @@ impl AssessmentReport {
             said.push("the records are not scaled: the answer is one for their earthquakes, not for a site; set one with the options scale and target".into());
         }
         said
+    }
+
+    /// The decks that leave their seats at the gaps of the scene, in a sentence.
+    pub(super) fn off_seats(&self) -> Option<String> {
+        let pairs = self.assessment.pairs.iter().enumerate();
+        let off = pairs.filter_map(|(pair, one)| Some((one.unseated.filter(|n| *n > 0)?, pair)));
+        let off: Vec<String> = off
+            .map(|(n, pair)| format!("{} in {}", self.floors.names(pair).join(" – "), self.of_cases(n)))
+            .collect();
+        (!off.is_empty()).then(|| format!("Decks leave their seats at the gaps of the scene: {}.", off.join(", ")))
     }
 
     /// Floors that leave their seats.

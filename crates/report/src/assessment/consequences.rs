@@ -42,7 +42,7 @@ impl AssessmentReport {
     /// A drift over the storey height and its limit \[–\]; `None` if the height is not known, and of a bridge without capacities.
     fn of_limit(&self, floor: usize, drift: f64) -> Option<[f64; 2]> {
         let made_of = self.floors.all()[floor].made_of?;
-        let general = (!self.scene.is_bridge()).then_some(ExcessKind::MOST_DRIFT);
+        let general = (!self.floors.is_bridge()).then_some(ExcessKind::MOST_DRIFT);
         let limit = made_of.capacities.drift_capacity_ratio.or(general)?;
         Some([drift / made_of.height_m?, limit])
     }
@@ -80,7 +80,7 @@ impl AssessmentReport {
         let name = self.storey_name(floor);
         let Some([drift, limit]) = self.of_limit(floor, Self::at_most(one)) else {
             let [drift, alone] = [Self::at_most(one), one.largest_drift_alone].map(|drift| two_digits(1e3 * drift));
-            let why = if self.scene.is_bridge() {
+            let why = if self.floors.is_bridge() {
                 "limits for storeys of buildings do not hold for a bridge (drift_capacity_ratio)"
             } else {
                 "without its height there is no limit for it"

@@ -240,10 +240,12 @@ impl AssessmentReport {
 
     /// The width that is enough, in a sentence: "130 mm would be enough for all 11 events."
     fn would_do(&self, gap: &GapAssessment, enough: &str) -> String {
-        let enough = if self.over_capacity().is_empty() {
-            enough
-        } else {
+        let enough = if !self.over_capacity().is_empty() {
             "would keep floors apart"
+        } else if self.seat(gap).is_some() {
+            "would keep the decks apart"
+        } else {
+            enough
         };
         if let Some(why) = self.unfounded() {
             let needed = millimetres_up(gap.required.largest());

@@ -38,7 +38,7 @@ pub(super) fn figure(report: &AssessmentReport) -> Option<(Figure, String)> {
         .fold(0.0, f64::max);
     let own = report.scene.structures.iter();
     let mut own: Vec<(String, f64)> = own
-        .filter_map(|one: &Structure| Some((fitting(one.name()), one.period()?)))
+        .filter_map(|one: &Structure| Some((fitting(one.name()), one.longest_period()?)))
         .collect();
     own.truncate(MOST);
     let note =
@@ -67,7 +67,7 @@ pub(super) fn figure(report: &AssessmentReport) -> Option<(Figure, String)> {
     let caption = format!(
         "{which} for 5 % of damping of the records as they shake the row (grey) and of their mean (blue){dashed}. {axis}; \
          ASCE/SEI 7-16, 16.2.3.2, compares maximum-direction spectra with MCE_R; upright lines mark \
-         the first periods of the buildings."
+         the first periods of the structures, on isolators those after they yield."
     );
     Some((figure, caption))
 }

@@ -6,7 +6,7 @@ use pounding_text::{percent, short, two_digits};
 
 use super::excess_kind::ExcessKind;
 use super::response::Excess;
-use crate::{Floors, Scene};
+use crate::Floors;
 
 impl Display for Excess {
     fn fmt(&self, to: &mut Formatter<'_>) -> fmt::Result {
@@ -88,8 +88,8 @@ impl Excess {
 
     /// A sentence about the largest drift ratio that is judged as of ductile construction because its storey has no capacity, from drifts
     /// \[m\] of the floors; `None` if it harms no construction, is beyond the limit and thus an excess, or if the row is a bridge.
-    pub fn says_assumed(scene: &Scene, floors: &Floors, drift: impl Fn(usize) -> f64) -> Option<String> {
-        if scene.is_bridge() {
+    pub fn says_assumed(floors: &Floors, drift: impl Fn(usize) -> f64) -> Option<String> {
+        if floors.is_bridge() {
             return None;
         }
         let all = floors.all().iter().enumerate();

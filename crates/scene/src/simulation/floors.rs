@@ -35,6 +35,8 @@ pub struct Floors {
     told_level: bool,
     /// Owners of the ground at every contact.
     properties: Vec<Property>,
+    /// Whether they are decks of a bridge.
+    bridge: bool,
 }
 
 /// A floor of a building, the only floor of a structure of one storey, or a wall at the level of a floor.
@@ -158,6 +160,7 @@ impl Floors {
             levels,
             told_level: scene.floors.is_some(),
             properties: contacts.iter().map(|one| one.property).collect(),
+            bridge: scene.is_bridge(),
         };
         for gap in 1..floors.structures.len() {
             let contact = contacts.get(gap - 1);
@@ -245,6 +248,11 @@ impl Floors {
     pub fn is_isolated(&self, structure: usize) -> bool {
         let mut own = self.of_structure(structure).iter();
         own.any(|floor| self.all[*floor].is_isolation_layer())
+    }
+
+    /// Whether they are decks of a bridge, by seats or restrainers: limits for the storeys of buildings do not hold.
+    pub fn is_bridge(&self) -> bool {
+        self.bridge
     }
 
     /// Whether gravity acts on some leaning storey.
