@@ -76,7 +76,7 @@ pub(crate) fn assess(
 }
 
 /// Reads the records of a folder; the scene declares what their files do not say.
-fn suite_of(folder: &Path, scene: &Scene) -> Result<Suite, Refused> {
+pub(crate) fn suite_of(folder: &Path, scene: &Scene) -> Result<Suite, Refused> {
     Ok(Suite::in_folder(folder, &scene.record.declared())?)
 }
 
