@@ -80,7 +80,7 @@ pub(crate) fn suite_of(folder: &Path, scene: &Scene) -> Result<Suite, Refused> {
     Ok(Suite::in_folder(folder, &scene.record.declared())?)
 }
 
-fn watched<'a>(watch: &Watch, step: &'a (dyn Fn(usize) + Sync)) -> Watched<'a> {
+pub(crate) fn watched<'a>(watch: &Watch, step: &'a (dyn Fn(usize) + Sync)) -> Watched<'a> {
     Watched { stop: watch.stop, step }
 }
 

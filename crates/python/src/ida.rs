@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::path::PathBuf;
 
-use pounding_assess::{AskedMeasure, FolderUse, MotionLines, SelectionFactors, Suite, Watched};
+use pounding_assess::{AskedMeasure, FolderUse, IntensityMeasure, MotionLines, SelectionFactors, Suite};
 use pounding_report::{JudgedRun, RiskAsked, RiskReport};
 use pounding_risk::{HazardCurve, State};
 use pounding_scene::{Floors, Scene};
@@ -11,10 +11,10 @@ use pounding_sweep::{Directions, StripeMotions, StripesAsked};
 use pounding_text::{Form, Refused};
 use pyo3::prelude::*;
 
-use crate::folder::suite_of;
+use crate::folder::{suite_of, watched};
 use crate::refused::OrRefused;
 use crate::run::Given;
-use crate::waiting::wait;
+use crate::waiting::{Watch, wait};
 
 /// How often the states of a row are reached, as the answer of `pounding ida`.
 #[pyclass(frozen, module = "pounding._pounding")]
@@ -77,60 +77,65 @@ pub(crate) fn ida(
         }
     }
     let states: Result<Vec<State>, Refused> = states.iter().map(|one| one.parse()).collect();
-    let states = states.map_err(|refused| refused.in_field("states")).or_refused(py)?;
-    let im: Option<AskedMeasure> = im.map(str::parse).transpose().or_refused(py)?;
-    let hazard = hazard.map(HazardCurve::parse).transpose().or_refused(py)?;
-    let given = Given::of(text, path, None);
-    let found = wait(py, progress, |watch| -> Result<Ida, Refused> {
-        let scene = given.scene()?;
+    let question = Question {
+        given: Given::of(text, path, None),
+        folders,
+        intensities,
+        im: im.map(str::parse).transpose().or_refused(py)?,
+        states: states.map_err(|refused| refused.in_field("states")).or_refused(py)?,
+        gaps,
+        hazard: hazard.map(HazardCurve::parse).transpose().or_refused(py)?,
+        both,
+    };
+    wait(py, progress, |watch| question.answer(watch))?.or_refused(py)
+}
+
+/// The arguments of [`ida`], read.
+struct Question<'a> {
+    given: Given<'a>,
+    folders: Vec<PathBuf>,
+    intensities: Vec<f64>,
+    im: Option<AskedMeasure>,
+    states: Vec<State>,
+    gaps: Vec<f64>,
+    hazard: Option<HazardCurve>,
+    both: bool,
+}
+
+impl Question<'_> {
+    fn answer(&self, watch: &Watch) -> Result<Ida, Refused> {
+        let scene = self.given.scene()?;
         let any_record = Scene {
             duration_s: None,
             ..scene.clone()
         };
-        Floors::check(&any_record).map_err(|error| given.in_file(error))?;
-        let measure = im.map(|im| im.of_row(&scene)).transpose()?;
-        let motions = match (measure, &folders[..]) {
-            (Some(measure), [folder]) => {
-                let asked = FolderUse {
-                    selection_factors: SelectionFactors::WithoutEffect,
-                    ..(&scene.record.declared()).into()
-                };
-                StripeMotions::scaled(Suite::in_folder(folder, asked)?, measure, intensities)?
-            }
-            _ => {
-                let read = intensities.iter().zip(&folders).map(|(one, folder)| Ok((*one, suite_of(folder, &scene)?)));
-                StripeMotions::own(read.collect::<Result<_, Refused>>()?)?
-            }
-        };
+        Floors::check(&any_record).map_err(|error| self.given.in_file(error))?;
+        let measure = self.im.map(|im| im.of_row(&scene)).transpose()?;
+        let motions = self.motions(&scene, measure)?;
         let asked = StripesAsked {
             scene: &scene,
-            path: &given.path,
+            path: &self.given.path,
             motions: &motions,
-            directions: if both { Directions::Both } else { Directions::AsGiven },
-            states: &states,
-            closings: !gaps.is_empty(),
+            directions: if self.both { Directions::Both } else { Directions::AsGiven },
+            states: &self.states,
+            closings: !self.gaps.is_empty(),
         };
-        let step = |of: usize| watch.step(1, of as u64);
-        let watched = Watched {
-            stop: watch.stop,
-            step: &step,
-        };
-        let runs = asked.run(watched)?;
+        let runs = asked.run(watched(watch, &|of| watch.step(1, of as u64)))?;
         let questions = RiskAsked {
-            states: &states,
-            gaps: &gaps,
-            hazard: hazard.as_ref(),
+            states: &self.states,
+            gaps: &self.gaps,
+            hazard: self.hazard.as_ref(),
             measure,
         };
         let report = RiskReport::of(&scene, motions.suites(), &runs, questions);
-        let (stripe, apart) = (report.judged_stripe(), states.iter().all(|state| matches!(state, State::Touch(_))));
+        let (stripe, apart) = (
+            report.judged_stripe(),
+            self.states.iter().all(|state| matches!(state, State::Touch(_))),
+        );
         let judged = MotionLines::of(
             motions.suite_at(stripe),
-            if both { &[false, true] } else { &[false] },
-            Watched {
-                stop: watch.stop,
-                step: &|_| (),
-            },
+            if self.both { &[false, true] } else { &[false] },
+            watched(watch, &|_| ()),
             |motion| motions.scene_at(stripe, motion, &scene),
             |prepared, doubts| JudgedRun::of(prepared, doubts.clone(), apart),
         );
@@ -141,6 +146,19 @@ pub(crate) fn ida(
             files: report.files(),
             refused: report.refused().map(ToString::to_string),
         })
-    })?;
-    found.or_refused(py)
+    }
+
+    /// The motions: of one folder by a measure, else of a folder for each intensity.
+    fn motions(&self, scene: &Scene, measure: Option<IntensityMeasure>) -> Result<StripeMotions, Refused> {
+        if let (Some(measure), [folder]) = (measure, &self.folders[..]) {
+            let asked = FolderUse {
+                selection_factors: SelectionFactors::WithoutEffect,
+                ..(&scene.record.declared()).into()
+            };
+            return StripeMotions::scaled(Suite::in_folder(folder, asked)?, measure, self.intensities.clone());
+        }
+        let read = self.intensities.iter().zip(&self.folders);
+        let read = read.map(|(one, folder)| Ok((*one, suite_of(folder, scene)?)));
+        StripeMotions::own(read.collect::<Result<_, Refused>>()?)
+    }
 }

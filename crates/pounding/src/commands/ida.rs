@@ -91,14 +91,8 @@ fn stripe(text: &str) -> Result<(f64, PathBuf), String> {
 pub(crate) fn run(args: &Arguments) -> Result<String, Failure> {
     let path = &args.scene;
     let message = |error: Error| Refused::from(error.in_file(path));
-    let folders: Vec<&Path> = args
-        .records
-        .iter()
-        .chain(args.stripe.iter().map(|one| &one.1))
-        .map(PathBuf::as_path)
-        .collect();
     let read = args.hazard.iter().chain([path]).cloned().collect();
-    let out = args.results.open_beside(&folders, read)?;
+    let out = args.results.open_beside(&args.folders(), read)?;
     let scene: Scene = super::read(path).map_err(message)?;
     let any_record = Scene {
         duration_s: None,
@@ -162,6 +156,12 @@ fn hazard(path: &Path) -> Result<HazardCurve, Refused> {
 }
 
 impl Arguments {
+    /// The folders of records.
+    fn folders(&self) -> Vec<&Path> {
+        let all = self.records.iter().chain(self.stripe.iter().map(|one| &one.1));
+        all.map(PathBuf::as_path).collect()
+    }
+
     /// How the intensity of motions is measured; `None` if each intensity has a folder.
     fn measure(&self, scene: &Scene) -> Result<Option<IntensityMeasure>, Refused> {
         if !self.stripe.is_empty() {
