@@ -13,7 +13,7 @@ pub struct HeaderFacts {
     pub vs30: Option<f64>,
 }
 
-/// Words with which a line about each begins: ESM and AFAD, K-NET, SMC, CSMIP, GeoNet.
+/// Words with which a line about each begins: ESM and AFAD, K-NET, SMC, CSMIP, `GeoNet`.
 const EVENT: &[&str] = &["EVENT_NAME"];
 const STATION: &[&str] = &["STATION_CODE", "Station Code", "station =", "Station No.", "Statn No", "Site "];
 const DISTANCE: &[&str] = &["EPICENTRAL_DISTANCE_KM", "epicentral dist ="];

@@ -116,8 +116,8 @@ impl<'a> RiskReport<'a> {
 
     /// Adds the numbers of risks to a table.
     fn risks<Of: 'a>(&self, table: Table<'a, (Of, &'a Risk)>) -> Table<'a, (Of, &'a Risk)> {
-        let all = self.states.iter().map(|one| &one.1).chain(self.by_gap.iter().map(|one| &one.1));
-        let differ = all.filter_map(shares_differ).next().is_some();
+        let mut all = self.states.iter().map(|one| &one.1).chain(self.by_gap.iter().map(|one| &one.1));
+        let differ = all.any(|risk| shares_differ(risk).is_some());
         let fragility = |number: fn(&Fragility) -> f64| move |row: &(Of, &Risk)| row.1.fragility().map(number);
         let ends = |number: fn(&Fragility) -> f64, end: usize| {
             move |row: &(Of, &Risk)| Cell::exact(row.1.bounds(number).map(|bounds| bounds[end]))
