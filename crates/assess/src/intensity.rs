@@ -3,7 +3,7 @@
 use std::fmt;
 use std::str::FromStr;
 
-use pounding_scene::{Error, Scene, pair_spectra, periods_between};
+use pounding_scene::{Error, Scene, Structure, pair_spectra, periods_between};
 use pounding_text::{Refused, digits};
 
 use crate::scaling::{DAMPING, PLACE, accelerations, unscaled};
@@ -64,13 +64,40 @@ impl fmt::Display for IntensityMeasure {
     }
 }
 
-impl FromStr for IntensityMeasure {
+/// A measure of intensity as it is asked for, before the row is known.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum AskedMeasure {
+    /// This one.
+    Of(IntensityMeasure),
+    /// [`IntensityMeasure::Sa`] at the longest first period of the row, `T1`.
+    LongestPeriod,
+}
+
+impl AskedMeasure {
+    /// The measure for a row.
+    ///
+    /// # Errors
+    /// Refuses a period of a row that has none.
+    pub fn of_row(self, scene: &Scene) -> Result<IntensityMeasure, Refused> {
+        let longest = || scene.structures.iter().filter_map(Structure::longest_period).reduce(f64::max);
+        match self {
+            Self::Of(measure) => Ok(measure),
+            Self::LongestPeriod => {
+                let none = || Refused::at("structures").found("walls alone").allowed_are("one or more that move");
+                longest().map(IntensityMeasure::Sa).ok_or_else(none)
+            }
+        }
+    }
+}
+
+impl FromStr for AskedMeasure {
     type Err = Refused;
 
     fn from_str(text: &str) -> Result<Self, Refused> {
         let refused = || {
             let found = Refused::default().found(format!("\"{text}\""));
-            found.allowed_are("pga, sa(0.8) and sa_avg(0.2..2), periods from 0.001 to 100 s")
+            found
+                .allowed_are("pga, sa(0.8), sa(T1) of the longest first period of the row, and sa_avg(0.2..2), periods from 0.001 to 100 s")
         };
         let period = |text: &str| {
             let text = text.trim();
@@ -79,17 +106,19 @@ impl FromStr for IntensityMeasure {
         };
         let lower = text.trim().to_ascii_lowercase();
         let inner = |name: &str| lower.strip_prefix(name)?.strip_suffix(')');
-        if lower == "pga" {
-            return Ok(Self::Pga);
+        match &*lower {
+            "pga" => return Ok(Self::Of(IntensityMeasure::Pga)),
+            "t1" | "sa(t1)" => return Ok(Self::LongestPeriod),
+            _ => (),
         }
         let found = match (inner("sa("), inner("sa_avg(")) {
-            (Some(of), _) => period(of).map(Self::Sa),
+            (Some(of), _) => period(of).map(IntensityMeasure::Sa),
             (None, Some(of)) => of.split_once("..").and_then(|(from, to)| {
                 let ends = [period(from)?, period(to)?];
-                (ends[0] < ends[1]).then_some(Self::SaAverage(ends))
+                (ends[0] < ends[1]).then_some(IntensityMeasure::SaAverage(ends))
             }),
             (None, None) => None,
         };
-        found.ok_or_else(refused)
+        found.map(Self::Of).ok_or_else(refused)
     }
 }

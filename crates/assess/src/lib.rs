@@ -61,7 +61,7 @@ pub use bumper_effect::{BumperCase, BumperEffect, BumperHarm, FloorBumperEffect,
 pub use design::{DesignSpectrum, Eurocode8Ground};
 pub use distribution::{Case, Distribution, wilson, wilson_of};
 pub use effects::{Effect, Effects, FloorEffects, FloorFact, Known};
-pub use intensity::IntensityMeasure;
+pub use intensity::{AskedMeasure, IntensityMeasure};
 pub use peaks::FloorPeaks;
 pub use rule::{Rule, RuleWords};
 pub use run::{AssessedFloor, AssessedPair, AssessedRun, StiffnessFactors, beyond_belief, says_believed};

@@ -76,11 +76,11 @@ pub(crate) fn assess(
 }
 
 /// Reads the records of a folder; the scene declares what their files do not say.
-fn suite_of(folder: &Path, scene: &Scene) -> Result<Suite, Refused> {
+pub(crate) fn suite_of(folder: &Path, scene: &Scene) -> Result<Suite, Refused> {
     Ok(Suite::in_folder(folder, &scene.record.declared())?)
 }
 
-fn watched<'a>(watch: &Watch, step: &'a (dyn Fn(usize) + Sync)) -> Watched<'a> {
+pub(crate) fn watched<'a>(watch: &Watch, step: &'a (dyn Fn(usize) + Sync)) -> Watched<'a> {
     Watched { stop: watch.stop, step }
 }
 

@@ -9,6 +9,7 @@ mod answers;
 mod array;
 mod disk;
 mod folder;
+mod ida;
 mod record;
 mod refused;
 mod run;
@@ -31,6 +32,8 @@ mod _pounding {
     use super::disk::write_files;
     #[pymodule_export]
     use super::folder::{Assessment, assess, required_gap};
+    #[pymodule_export]
+    use super::ida::{Ida, ida};
     #[pymodule_export]
     use super::record::Record;
     #[pymodule_export]

@@ -188,6 +188,40 @@ def test_limit_answers_are_those_of_the_program(program: str) -> None:
     pandas.testing.assert_frame_equal(ours[numbers], theirs[numbers], check_exact=True)
 
 
+def test_limit_frequencies_are_those_of_the_program(program: str, tmp_path: pathlib.Path) -> None:
+    path = ROOT / "studies" / "examples" / "two-structures.json"
+    records = tmp_path / "records"
+    records.mkdir()
+    for event, frequency in enumerate([0.6, 0.8, 1.0, 1.3, 1.7, 2.2, 3.0]):
+        pulse = pounding.formula("ricker", amplitude=1.0, frequency=frequency, time_step=0.01)
+        rows = [f"{time!r},{one!r}" for time, one in zip(pulse.time.tolist(), pulse.acceleration.tolist())]
+        text = "\n".join(["time_s,acceleration_m_per_s2", *rows])
+        (records / f"event{event}.csv").write_text(text + "\n")
+    curve = [(0.01, 0.2), (0.1, 0.01), (1.0, 1e-4), (5.0, 1e-6)]
+    hazard = tmp_path / "hazard.csv"
+    hazard.write_text("".join(f"{im},{frequency}\n" for im, frequency in curve))
+    words = ["ida", path, "--records", records, "--im", "T1", "--hazard", hazard, "--gaps", "0.02,0.05"]
+    scene = pounding.scene(path)
+    ours = scene.ida(records, im="T1", hazard=curve, gaps=[0.02, 0.05])
+    assert ours.facts == json.loads(asked(program, *words, "--json"))
+    assert repr(ours) == asked(program, *words)
+    assert ours == scene.ida(records, im="t1", hazard=hazard, gaps=[0.02, 0.05])
+    theirs = table_of(asked(program, *words, "--csv"))
+    numbers = list(theirs.select_dtypes("float").columns)
+    pandas.testing.assert_frame_equal(
+        ours.table[numbers], theirs[numbers], check_exact=True, check_dtype=False
+    )
+    assert list(ours.by_gap["gap_m"]) == [0.02, 0.05]
+    assert ours.report(tmp_path / "out").read_text(encoding="utf-8").startswith("Answer")
+    # A folder for every intensity, which has no fragility: the answer says why.
+    both = scene.ida({0.1: records, 0.2: records})
+    assert both.facts["states"][0]["refused"] in both.warnings[0]
+    with pytest.raises(pounding.Refused, match="measure of the hazard curve"):
+        scene.ida(records, hazard=curve)
+    with pytest.raises(pounding.Refused, match="found -1, allowed are finite numbers > 0"):
+        scene.ida(records, gaps=[-1.0])
+
+
 def test_limit_spectra_are_those_of_the_program(program: str) -> None:
     path = next((ROOT / "studies" / "records").glob("*.csv"))
     table = asked(program, "motion", "spectrum", path, "--count", 7, "--csv")

@@ -43,6 +43,7 @@ mod direction;
 mod figures;
 mod folder;
 mod gaps;
+mod header;
 mod history;
 mod impacts;
 mod motion;
@@ -73,9 +74,10 @@ pub use assumed::link_parameters;
 pub use blow::Blow;
 pub use certificate::certificate;
 pub use direction::{BothDirections, other_direction, other_direction_exact, run_sentence};
-use figures::Known;
+use figures::{Illustration, Known};
 pub use folder::{MotionRow, OfFolder, UnderMotion, said_briefly};
 pub use gaps::{GapsUnderMotion, gaps_answer, gaps_table};
+pub use header::HeaderFacts;
 use history::Motion;
 pub use history::{HistoryQuantity, history_of};
 pub use impacts::collision_table;
@@ -239,19 +241,13 @@ impl<'a> Report<'a> {
         if let Some(animation) = animation {
             files.insert(animation::FILE.into(), animation.svg.into_bytes());
         }
-        for illustration in illustrations {
-            if let Ok((svg, png)) = illustration.drawn {
-                files.insert(format!("{}.svg", illustration.name), svg.into_bytes());
-                files.insert(format!("{}.png", illustration.name), png);
-            }
-        }
+        files.extend(Illustration::files(illustrations));
         files
     }
 
     /// Whether a results folder can have a file of this name.
     pub fn has_file(name: &str) -> bool {
-        let is_figure = |(stem, end): (&str, &str)| figures::NAMES.contains(&stem) && matches!(end, "svg" | "png");
-        [HISTORY, IMPACTS, EFFECTS, SUMMARY, PAGE, animation::FILE].contains(&name) || name.rsplit_once('.').is_some_and(is_figure)
+        [HISTORY, IMPACTS, EFFECTS, SUMMARY, PAGE, animation::FILE].contains(&name) || Illustration::has_file(&figures::NAMES, name)
     }
 }
 

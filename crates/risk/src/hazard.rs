@@ -4,6 +4,7 @@ use pounding_text::{CurveWords, Refused, curve_points, digits, percent};
 
 use crate::fragility::Fragility;
 use crate::normal::{below, density, mills};
+use crate::stripe::Stripes;
 
 /// How often the ground motion of a site exceeds an intensity: a power law between two points of the curve.
 #[derive(Debug, Clone, PartialEq)]
@@ -33,6 +34,11 @@ pub struct Contribution {
 impl AnnualFrequency {
     /// Largest part of λ beyond the ends of the hazard curve \[–\].
     pub const MOST_BEYOND: f64 = 0.05;
+
+    /// Whether at most [`Self::MOST_BEYOND`] of λ lies beyond the ends; a part that is no number is too much, too.
+    pub fn is_within(&self) -> bool {
+        self.beyond[0] + self.beyond[1] <= Self::MOST_BEYOND
+    }
 
     /// Mean return period \[years\].
     pub fn return_period(&self) -> f64 {
@@ -97,8 +103,7 @@ impl HazardCurve {
     pub fn annual(&self, fragility: &Fragility) -> Result<AnnualFrequency, Refused> {
         let found = self.whole(fragility);
         let beyond = found.beyond[0] + found.beyond[1];
-        // A part that is no number is too much, too.
-        if beyond <= AnnualFrequency::MOST_BEYOND {
+        if found.is_within() {
             return Ok(found);
         }
         let [from, to] = self.ends().map(digits);
@@ -111,14 +116,69 @@ impl HazardCurve {
 
     /// Mean annual frequency, whatever lies beyond the ends.
     pub fn whole(&self, fragility: &Fragility) -> AnnualFrequency {
-        let within: f64 = self.segments().map(|one| one.rate(fragility, one.from[0], one.to[0])).sum();
-        let (first, last) = (self.segment(0), self.segment(self.points.len() - 2));
-        let [lower, upper] = [first.rate_below(fragility), last.rate_above(fragility)];
+        self.in_parts(|from, to| self.rate_between(fragility, from, to))
+    }
+
+    /// Mean annual frequency by the shares of stripes, without a distribution, whatever lies beyond the ends. Between two stripes the share is
+    /// linear in the logarithm of the intensity. Below a first share of 0 it stays 0, above a last share of 1 it stays 1. Beyond other ends of
+    /// the stripes it is the fragility.
+    ///
+    /// `None` if stripes have no events, or if their shares need a fragility and there is none.
+    pub fn whole_of_shares(&self, stripes: &Stripes, fragility: Option<&Fragility>) -> Option<AnnualFrequency> {
+        let known = stripes.all.iter().filter(|one| one.n() > 0);
+        let known: Vec<[f64; 2]> = known.map(|one| [one.intensity, one.share()]).collect();
+        let ([least, first], [most, last]) = (*known.first()?, *known.last()?);
+        let (is_none, is_all) = (first <= 0.0, last >= 1.0);
+        if fragility.is_none() && !(is_none && is_all) {
+            return None;
+        }
+        let of_fit = |from: f64, to: f64| fragility.map_or(0.0, |one| self.rate_between(one, from, to));
+        let exceeding = |from: f64, to: f64| {
+            self.pieces(from, to)
+                .map(|(one, from, to)| one.frequency(from) - one.frequency(to))
+                .sum()
+        };
+        Some(self.in_parts(|from, to| {
+            let below = if is_none { 0.0 } else { of_fit(from, to.min(least)) };
+            let above: f64 = if is_all {
+                exceeding(from.max(most), to)
+            } else {
+                of_fit(from.max(most), to)
+            };
+            let joined = known.windows(2).flat_map(|two| {
+                let pieces = self.pieces(from.max(two[0][0]), to.min(two[1][0]));
+                pieces.map(|(one, from, to)| one.rate_of_line([two[0], two[1]], from, to))
+            });
+            below + above + joined.sum::<f64>()
+        }))
+    }
+
+    /// A frequency as the sum of its part within the ends of the curve, and of those below and above.
+    fn in_parts(&self, between: impl Fn(f64, f64) -> f64) -> AnnualFrequency {
+        let [from, to] = self.ends();
+        let [lower, within, upper] = [between(0.0, from), between(from, to), between(to, f64::INFINITY)];
         let rate = within + lower + upper;
         AnnualFrequency {
             rate,
             beyond: [lower / rate, upper / rate],
         }
+    }
+
+    /// Frequency of exceedances by motions between two intensities, 0 to infinity \[1/year\].
+    fn rate_between(&self, fragility: &Fragility, from: f64, to: f64) -> f64 {
+        self.pieces(from, to).map(|(one, from, to)| one.rate(fragility, from, to)).sum()
+    }
+
+    /// The power laws between two intensities, each with its range: the first begins at 0, the last one goes to infinity.
+    fn pieces(&self, from: f64, to: f64) -> impl Iterator<Item = (Segment, f64, f64)> {
+        let last = self.points.len() - 2;
+        let piece = move |(index, one): (usize, Segment)| {
+            let begin = if index == 0 { 0.0 } else { one.from[0] };
+            let end = if index == last { f64::INFINITY } else { one.to[0] };
+            let (from, to) = (from.max(begin), to.min(end));
+            (from < to).then_some((one, from, to))
+        };
+        self.segments().enumerate().filter_map(piece)
     }
 
     /// Parts of λ from ranges of intensity that have equal ratios, over the whole curve.
@@ -131,13 +191,9 @@ impl HazardCurve {
         };
         let range = |index: u32| {
             let intensities = [end(index), end(index + 1)];
-            let part = |one: Segment| {
-                let [from, to] = [intensities[0].max(one.from[0]), intensities[1].min(one.to[0])];
-                if from < to { one.rate(fragility, from, to) } else { 0.0 }
-            };
             Contribution {
                 intensities,
-                rate: self.segments().map(part).sum(),
+                rate: self.rate_between(fragility, intensities[0], intensities[1]),
             }
         };
         (0..n).map(range).collect()
@@ -193,8 +249,14 @@ impl Segment {
         [self.frequency(intensity), z, z + self.power * fragility.dispersion]
     }
 
-    /// Frequency of exceedances by motions between two intensities \[1/year\].
+    /// Frequency of exceedances by motions between two intensities \[1/year\]; the lower one may be 0, or the upper one infinity.
     fn rate(&self, fragility: &Fragility, from: f64, to: f64) -> f64 {
+        if from <= 0.0 {
+            return self.rate_below(fragility, to);
+        }
+        if to.is_infinite() {
+            return self.rate_above(fragility, from);
+        }
         let (a, b) = (self.at(fragility, from), self.at(fragility, to));
         let parts = a[0] * below(a[1]) - b[0] * below(b[1]);
         // Each difference is taken of tails on its own side, so that no digits are lost.
@@ -211,16 +273,24 @@ impl Segment {
         (parts + moved).max(0.0)
     }
 
-    /// Frequency of exceedances by motions below the first point \[1/year\].
-    fn rate_below(&self, fragility: &Fragility) -> f64 {
-        let at = self.at(fragility, self.from[0]);
+    /// Frequency of exceedances by motions between two intensities, if a share is a line over ln x through two points \[1/year\]: by parts
+    /// −[H P] + (dP/d ln x) [−H]/k.
+    fn rate_of_line(&self, [[x, share], [next, last]]: [[f64; 2]; 2], from: f64, to: f64) -> f64 {
+        let slope = (last - share) / libm::log(next / x);
+        let of = |at: f64| self.frequency(at) * (share + slope * (libm::log(at / x) + self.power.recip()));
+        of(from) - of(to)
+    }
+
+    /// Frequency of exceedances by motions below an intensity \[1/year\].
+    fn rate_below(&self, fragility: &Fragility, to: f64) -> f64 {
+        let at = self.at(fragility, to);
         // The tail is largely −[H P], so that the difference of both is taken as it stands only where it keeps digits.
         (tail_below(at) - at[0] * below(at[1])).max(0.0)
     }
 
-    /// Frequency of exceedances by motions above the last point \[1/year\].
-    fn rate_above(&self, fragility: &Fragility) -> f64 {
-        let at = self.at(fragility, self.to[0]);
+    /// Frequency of exceedances by motions above an intensity \[1/year\].
+    fn rate_above(&self, fragility: &Fragility, from: f64) -> f64 {
+        let at = self.at(fragility, from);
         at[0] * below(at[1]) + tail_above(at)
     }
 }

@@ -18,6 +18,9 @@ pub struct Risk {
     pub drawn: Option<Bootstrap>,
     /// How often motions of the site reach the state, or why that is not known; `None` without a hazard curve or a fragility.
     pub frequency: Option<Result<AnnualFrequency, Refused>>,
+    /// How often motions reach the state by the shares as they are, joined by lines ([`HazardCurve::whole_of_shares`]); `None` as there, without a
+    /// hazard curve, or if too much of it lies beyond the curve.
+    pub of_shares: Option<AnnualFrequency>,
     /// 95 % bounds of the mean annual frequency \[1/year\], for the hazard curve as given; `None` as [`Self::bounds`].
     pub rate_bounds: Option<[f64; 2]>,
 }
@@ -29,6 +32,7 @@ impl Risk {
         let drawn = fit.as_ref().ok().map(|_| Bootstrap::of(&stripes));
         let both = hazard.zip(fit.as_ref().ok());
         let frequency = both.map(|(hazard, fit)| hazard.annual(&fit.fragility));
+        let of_shares = hazard.and_then(|hazard| hazard.whole_of_shares(&stripes, fit.as_ref().ok().map(|fit| &fit.fragility)));
         let is_known = matches!(frequency, Some(Ok(_)));
         let rate_bounds = hazard.filter(|_| is_known).and_then(|hazard| {
             let drawn = drawn.as_ref()?;
@@ -39,6 +43,7 @@ impl Risk {
             fit,
             drawn,
             frequency,
+            of_shares: of_shares.filter(AnnualFrequency::is_within),
             rate_bounds,
         }
     }

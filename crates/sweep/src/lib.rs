@@ -58,6 +58,7 @@ mod sampling;
 mod shard;
 mod side_by_side;
 mod spread;
+mod stripe_motions;
 mod stripes;
 mod summary;
 mod summary_file;
@@ -86,7 +87,8 @@ pub use parts::Parts;
 use plan::{Plan, Setting, placed, varies_method};
 pub use shard::Shard;
 pub use spread::{Between, Grid, Spacing, Spread};
-pub use stripes::{StripeMotions, StripesAsked};
+pub use stripe_motions::StripeMotions;
+pub use stripes::StripesAsked;
 pub use summary::{Exceedance, SummaryTable, SummedCell, SummedColumn};
 pub use summary_file::Summary;
 

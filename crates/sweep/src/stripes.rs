@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use pounding_assess::{IntensityMeasure, Suite, Watched};
+use pounding_assess::Watched;
 use pounding_contact::{ContactLaw, Stereomechanical};
 use pounding_risk::{RunNumbers, State, StripeMotion, StripeRun, StripeRuns};
 use pounding_scene::file::Contact;
@@ -15,22 +15,7 @@ use crate::batch::Batch;
 use crate::file::{Directions, Outputs, SceneOf, SweepFile, Vary};
 use crate::motions::ScaledSuite;
 use crate::spread::Spread;
-
-/// The motions of all intensities.
-#[derive(Debug, Clone)]
-pub enum StripeMotions {
-    /// Every motion is scaled to every intensity.
-    Scaled {
-        /// The motions.
-        suite: Suite,
-        /// How their intensity is measured.
-        measure: IntensityMeasure,
-        /// Intensities \[g\], > 0, rising.
-        intensities: Vec<f64>,
-    },
-    /// Every intensity \[g\], > 0, rising, has other motions, which are as strong as in their files.
-    Own(Vec<(f64, Suite)>),
-}
+use crate::stripe_motions::StripeMotions;
 
 /// The questions to a row under motions of several intensities.
 #[derive(Debug, Clone, Copy)]

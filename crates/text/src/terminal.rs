@@ -35,16 +35,35 @@ fn length(text: &str) -> usize {
     text.chars().count()
 }
 
+/// The words of a text; a percent sign stays with its number.
+fn words(text: &str) -> Vec<String> {
+    let mut words: Vec<String> = Vec::new();
+    for word in text.split_whitespace() {
+        match words.last_mut() {
+            Some(number) if word.starts_with('%') => {
+                number.push(' ');
+                number.push_str(word);
+            }
+            _ => words.push(word.into()),
+        }
+    }
+    words
+}
+
+fn longest_word(text: &str) -> usize {
+    words(text).iter().map(|word| length(word.as_str())).max().unwrap_or(0)
+}
+
 /// Breaks a line between words into pieces of at most `width` letters; a longer word stays whole.
 fn broken(line: &str, width: usize) -> Vec<String> {
     let mut pieces: Vec<String> = Vec::new();
-    for word in line.split_whitespace() {
+    for word in words(line) {
         match pieces.last_mut() {
-            Some(piece) if length(piece) + 1 + length(word) <= width => {
+            Some(piece) if length(piece) + 1 + length(&word) <= width => {
                 piece.push(' ');
-                piece.push_str(word);
+                piece.push_str(&word);
             }
-            _ => pieces.push(word.into()),
+            _ => pieces.push(word),
         }
     }
     pieces
@@ -94,8 +113,10 @@ impl Grid {
         let column = |column: usize| {
             let heading = &self.headings[column];
             let cells = rows.iter().map(|row| length(&row[column])).max().unwrap_or(0);
-            let words = heading.text.split_whitespace().map(length).max().unwrap_or(0);
-            let least = cells.min(WIDTH / 2).max(words).max(length(&heading.bracketed()));
+            let least = cells
+                .min(WIDTH / 2)
+                .max(longest_word(&heading.text))
+                .max(length(&heading.bracketed()));
             let mut widths = (least..).map(|width| broken(&heading.text, width));
             let mut lines = widths.find(|lines| lines.len() <= HEADING_LINES).unwrap_or_default();
             lines.extend((!heading.unit.is_empty()).then(|| heading.bracketed()));
@@ -137,13 +158,7 @@ fn in_lines(names: &[Vec<String>], rows: &[Vec<String>]) -> String {
     };
     let numbers = numbers + between * (n_columns - 1);
     let first = (*names).min(WIDTH.saturating_sub(numbers).max(LABEL));
-    let words = |column: usize| {
-        lines
-            .iter()
-            .flat_map(|line| line[column].split_whitespace().map(length))
-            .max()
-            .unwrap_or(0)
-    };
+    let words = |column: usize| lines.iter().map(|line| longest_word(&line[column])).max().unwrap_or(0);
     let mut excess = (first + numbers).saturating_sub(WIDTH);
     while excess > 0 {
         let least = |column: usize| words(column).max(BLOCK_CELL);

@@ -9,11 +9,11 @@ use pounding::assess::{AssessedRun, Bumper, BumperEffect, DesignSpectrum, Rule, 
 use pounding::report::{AssessmentReport, FolderOfMotions, ScalingAsked};
 use pounding::scene::file::ScaleTo;
 use pounding::scene::{Error, Floors, Method, Scene, Structure};
-use pounding::text::{Form, Refused, Where, digits};
+use pounding::text::{Refused, Where, digits};
 
 use super::declared::Declared;
+use super::printed::{Printed, Results};
 use super::suite;
-use crate::folder::Out;
 use bumper::BumperAsked;
 use runs::{Asked, RunsUnderMotion};
 
@@ -91,28 +91,10 @@ pub(crate) struct Arguments {
     date: Option<String>,
     #[command(flatten)]
     printed: Printed,
-    /// Write a report with figures and tables here.
-    #[arg(long, value_name = "FOLDER")]
-    out: Option<PathBuf>,
-    /// Write into a folder that holds other things; they stay.
-    #[arg(long, requires = "out")]
-    overwrite: bool,
+    #[command(flatten)]
+    results: Results,
     #[command(flatten)]
     declared: Declared,
-}
-
-/// How the answer is printed.
-#[derive(Debug, clap::Args)]
-struct Printed {
-    /// Print more: every run, and every storey.
-    #[arg(long)]
-    details: bool,
-    /// Print a table for a program, SI units, a line per number.
-    #[arg(long, conflicts_with_all = ["json", "details"])]
-    csv: bool,
-    /// Print JSON, SI units.
-    #[arg(long)]
-    json: bool,
 }
 
 /// Reads the target of scaling from the command line.
@@ -211,14 +193,9 @@ impl Arguments {
 pub(crate) fn run(args: &Arguments) -> Result<String, Refused> {
     let path = &args.scene;
     let message = |error: Error| Refused::from(error.in_file(path));
-    let open = |out: &PathBuf| Out::open(out, args.overwrite);
-    let out = args.out.as_ref().map(open).transpose()?;
-    if let Some(out) = &out {
-        let target = args.target.iter().map(PathBuf::from);
-        let read = target.chain([path.clone()]).collect();
-        out.keep(&[super::inputs_in(&args.records), read].concat())?;
-        out.apart_from(&args.records)?;
-    }
+    let target = args.target.iter().map(PathBuf::from);
+    let read = target.chain([path.clone()]).collect();
+    let out = args.results.open_beside(&[&args.records], read)?;
     let scene = super::read(path).map_err(message)?;
     let mut records = suite::read(&args.records, &args.declared, &scene)?;
     let asked = args.asked(scene, &mut records)?;
@@ -231,8 +208,7 @@ pub(crate) fn run(args: &Arguments) -> Result<String, Refused> {
         let page = out.path().join("report.html").display().to_string();
         answer = answer.say(Where::Terminal, "Report", vec![page]);
     }
-    let Printed { details, csv, json } = args.printed;
-    ran.answer(answer.text(Form::asked(details, csv, json)))
+    ran.answer(answer.text(args.printed.form()))
 }
 
 impl Arguments {
@@ -287,7 +263,7 @@ impl Arguments {
             BumperAsked::Proposed => asked.bumpers(lines, None).map_err(message)?,
             BumperAsked::Stiffness(stiffness) => asked.bumpers(lines, Some(stiffness)).map_err(message)?,
         };
-        let animation = self.out.as_ref().and_then(|_| asked.animation(lines));
+        let animation = self.results.out.as_ref().and_then(|_| asked.animation(lines));
         let tried: &[f64] = if self.bumper == BumperAsked::Proposed && !bumpers.is_empty() {
             &Bumper::TRIED
         } else {

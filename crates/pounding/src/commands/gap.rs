@@ -5,9 +5,10 @@ use std::path::PathBuf;
 use pounding::assess::Rule;
 use pounding::report::{GapsUnderMotion, OfFolder, gaps_answer};
 use pounding::scene::{Error, Floors, Scene};
-use pounding::text::{Form, Refused};
+use pounding::text::Refused;
 
 use super::declared::Declared;
+use super::printed::Printed;
 use super::suite;
 
 const EXAMPLES: &str = "\
@@ -40,15 +41,8 @@ pub(crate) struct Arguments {
     /// tbdy-2018, e-030 or gb-50011.
     #[arg(long, value_name = "CODE", value_parser = Rule::of_code)]
     code: Option<Rule>,
-    /// Name every record that is left out.
-    #[arg(long)]
-    details: bool,
-    /// Print a table for a program, SI units.
-    #[arg(long, conflicts_with = "details")]
-    csv: bool,
-    /// Print JSON, SI units.
-    #[arg(long, conflicts_with_all = ["csv", "details"])]
-    json: bool,
+    #[command(flatten)]
+    printed: Printed,
     #[command(flatten)]
     declared: Declared,
 }
@@ -72,5 +66,5 @@ pub(crate) fn run(args: &Arguments) -> Result<String, Refused> {
         suite: &records,
         lines: &ran.lines,
     };
-    ran.answer(gaps_answer(&folder, args.code).text(Form::asked(args.details, args.csv, args.json)))
+    ran.answer(gaps_answer(&folder, args.code).text(args.printed.form()))
 }

@@ -4,17 +4,17 @@ use std::path::{Path, PathBuf};
 use std::str::FromStr;
 use std::sync::atomic::Ordering;
 
-use pounding::assess::{IntensityMeasure, Suite, SuiteMotion, Watched};
+use pounding::assess::{AskedMeasure, IntensityMeasure, SuiteMotion, Watched};
 use pounding::report::{JudgedRun, RiskAsked, RiskReport};
 use pounding::risk::{HazardCurve, State};
-use pounding::scene::{Error, Floors, RecordUse, Scene, Structure, periods_between};
+use pounding::scene::{Error, Floors, Scene, periods_between};
 use pounding::sweep::{Directions, StripeMotions, StripesAsked};
-use pounding::text::{Form, RefusalKind, Refused, Where};
+use pounding::text::{RefusalKind, Refused, Where};
 
 use super::declared::Declared;
+use super::printed::{Printed, Results};
 use super::suite::MotionLine;
 use super::{Failure, suite};
-use crate::folder::Out;
 use crate::progress::Progress;
 
 const EXAMPLES: &str = "\
@@ -30,7 +30,7 @@ fragility is the lognormal one of most likelihood of the share of events at each
 intensity. The hazard curve is a CSV file: intensity in g, mean annual frequency.";
 
 /// Help of `--im`.
-const MEASURES: &str = "Intensity of a motion: pga, sa(0.8) or sa_avg(0.2..2); required with --hazard, else by default sa of the longest first period of the row";
+const MEASURES: &str = "Intensity of a motion: pga, sa(0.8), sa_avg(0.2..2) or T1, sa of the longest first period of the row; required with --hazard, else by default T1";
 
 /// The arguments of `ida`.
 #[derive(Debug, clap::Args)]
@@ -45,8 +45,8 @@ pub(crate) struct Arguments {
     /// An intensity [g] and a folder of records of that intensity; once for each.
     #[arg(long, value_name = "IM=FOLDER", value_parser = stripe)]
     stripe: Vec<(f64, PathBuf)>,
-    #[arg(long, help = MEASURES, value_name = "MEASURE", conflicts_with = "stripe", value_parser = IntensityMeasure::from_str)]
-    im: Option<IntensityMeasure>,
+    #[arg(long, help = MEASURES, value_name = "MEASURE", conflicts_with = "stripe", value_parser = AskedMeasure::from_str)]
+    im: Option<AskedMeasure>,
     /// Intensities [g]; by default 16 from 0.05 to 2.
     #[arg(long, value_name = "LIST", value_delimiter = ',', value_parser = super::positive, conflicts_with = "stripe")]
     stripes: Vec<f64>,
@@ -74,28 +74,10 @@ pub(crate) struct Arguments {
     both: bool,
     #[command(flatten)]
     printed: Printed,
-    /// Write figures and tables here.
-    #[arg(long, value_name = "FOLDER")]
-    out: Option<PathBuf>,
-    /// Write into a folder that holds other things; they stay.
-    #[arg(long, requires = "out")]
-    overwrite: bool,
+    #[command(flatten)]
+    results: Results,
     #[command(flatten)]
     declared: Declared,
-}
-
-/// How the answer is printed.
-#[derive(Debug, clap::Args)]
-struct Printed {
-    /// Print more: every motion, and every record that is left out.
-    #[arg(long)]
-    details: bool,
-    /// Print a table for a program, SI units, a line per run.
-    #[arg(long, conflicts_with_all = ["json", "details"])]
-    csv: bool,
-    /// Print JSON, SI units.
-    #[arg(long, conflicts_with = "details")]
-    json: bool,
 }
 
 /// An intensity and a folder.
@@ -109,7 +91,8 @@ fn stripe(text: &str) -> Result<(f64, PathBuf), String> {
 pub(crate) fn run(args: &Arguments) -> Result<String, Failure> {
     let path = &args.scene;
     let message = |error: Error| Refused::from(error.in_file(path));
-    let out = args.open()?;
+    let read = args.hazard.iter().chain([path]).cloned().collect();
+    let out = args.results.open_beside(&args.folders(), read)?;
     let scene: Scene = super::read(path).map_err(message)?;
     let any_record = Scene {
         duration_s: None,
@@ -117,7 +100,7 @@ pub(crate) fn run(args: &Arguments) -> Result<String, Failure> {
     };
     Floors::check(&any_record).map_err(message)?;
     let hazard = args.hazard.as_deref().map(hazard).transpose()?;
-    let measure = args.measure(&scene, hazard.is_some())?;
+    let measure = args.measure(&scene)?;
     let motions = args.motions(&scene, measure)?;
     suite::stop_when_asked();
     let asked = StripesAsked {
@@ -138,7 +121,7 @@ pub(crate) fn run(args: &Arguments) -> Result<String, Failure> {
     drop(progress);
     let report = RiskReport::of(
         &scene,
-        suites(&motions),
+        motions.suites(),
         &runs,
         RiskAsked {
             states: &args.state,
@@ -154,22 +137,13 @@ pub(crate) fn run(args: &Arguments) -> Result<String, Failure> {
         out.write(&report.files())?;
         answer = answer.say(Where::Terminal, "Results", vec![out.path().display().to_string()]);
     }
-    let Printed { details, csv, json } = args.printed;
-    let printed = answer.text(Form::asked(details, csv, json));
+    let printed = answer.text(args.printed.form());
     match report.refused() {
         None => Ok(printed),
         Some(refused) => Err(Failure {
             printed,
             refused: refused.clone(),
         }),
-    }
-}
-
-/// The folders of records.
-fn suites(motions: &StripeMotions) -> Vec<&Suite> {
-    match motions {
-        StripeMotions::Scaled { suite, .. } => vec![suite],
-        StripeMotions::Own(all) => all.iter().map(|one| &one.1).collect(),
     }
 }
 
@@ -182,59 +156,30 @@ fn hazard(path: &Path) -> Result<HazardCurve, Refused> {
 }
 
 impl Arguments {
-    /// Takes the folder of `--out`; `None` if none is asked for.
-    fn open(&self) -> Result<Option<Out>, Refused> {
-        let Some(out) = &self.out else {
-            return Ok(None);
-        };
-        let out = Out::open(out, self.overwrite)?;
-        let folders: Vec<&PathBuf> = self.records.iter().chain(self.stripe.iter().map(|one| &one.1)).collect();
-        let read = folders.iter().flat_map(|folder| super::inputs_in(folder));
-        let read: Vec<PathBuf> = read.chain([self.scene.clone()]).chain(self.hazard.clone()).collect();
-        out.keep(&read)?;
-        folders.iter().try_for_each(|folder| out.apart_from(folder))?;
-        Ok(Some(out))
+    /// The folders of records.
+    fn folders(&self) -> Vec<&Path> {
+        let all = self.records.iter().chain(self.stripe.iter().map(|one| &one.1));
+        all.map(PathBuf::as_path).collect()
     }
 
     /// How the intensity of motions is measured; `None` if each intensity has a folder.
-    fn measure(&self, scene: &Scene, with_hazard: bool) -> Result<Option<IntensityMeasure>, Refused> {
-        if !self.stripe.is_empty() || self.im.is_some() {
-            return Ok(self.im);
+    fn measure(&self, scene: &Scene) -> Result<Option<IntensityMeasure>, Refused> {
+        if !self.stripe.is_empty() {
+            return Ok(None);
         }
-        if with_hazard {
+        if self.im.is_none() && self.hazard.is_some() {
             let none = Refused::at("--im").found("nothing").allowed_is("the measure of the hazard curve");
             return Err(none.help("name it, such as --im 'sa(0.8)'"));
         }
-        let longest = scene.structures.iter().filter_map(Structure::longest_period).reduce(f64::max);
-        let none = || Refused::at("structures").found("walls alone").allowed_are("one or more that move");
-        Ok(Some(IntensityMeasure::Sa(longest.ok_or_else(none)?)))
+        self.im.unwrap_or(AskedMeasure::LongestPeriod).of_row(scene).map(Some)
     }
 
     /// The row under all motions of an intensity, judged; nothing if all runs fail, which the answer says.
     fn judged(&self, scene: &Scene, motions: &StripeMotions, stripe: usize) -> Result<Vec<MotionLine<JudgedRun>>, Refused> {
         let apart = self.state.iter().all(|state| matches!(state, State::Touch(_)));
         let directions: &[bool] = if self.both { &[false, true] } else { &[false] };
-        let scaled = |scale: f64| Scene {
-            record: RecordUse {
-                scale,
-                scale_to: None,
-                ..scene.record.clone()
-            },
-            ..scene.clone()
-        };
-        let under = |motion: &SuiteMotion| {
-            let recorded = motion.shake(&scaled(1.0), false, None)?;
-            let scale = match motions {
-                StripeMotions::Scaled { measure, intensities, .. } => intensities[stripe] / measure.of(motion, scene)?,
-                StripeMotions::Own(_) => 1.0,
-            };
-            Ok((scaled(scale), recorded.doubts()))
-        };
-        let suite = match motions {
-            StripeMotions::Scaled { suite, .. } => suite,
-            StripeMotions::Own(all) => &all[stripe].1,
-        };
-        let ran = suite::lines_of(suite, directions, under, |prepared, doubts| {
+        let under = |motion: &SuiteMotion| motions.scene_at(stripe, motion, scene);
+        let ran = suite::lines_of(motions.suite_at(stripe), directions, under, |prepared, doubts| {
             JudgedRun::of(prepared, doubts.clone(), apart)
         });
         if suite::STOPPED.load(Ordering::Relaxed) {
@@ -244,23 +189,11 @@ impl Arguments {
         Ok(ran.map_or_else(|_| Vec::new(), |ran| ran.lines))
     }
 
-    /// The motions of all intensities, in rising order.
+    /// The motions of all intensities.
     fn motions(&self, scene: &Scene, measure: Option<IntensityMeasure>) -> Result<StripeMotions, Refused> {
-        let rising = |all: &[f64], option: &'static str| {
-            if all.windows(2).all(|two| two[0] < two[1]) {
-                return Ok(());
-            }
-            let twice = Refused::at(option).found("an intensity twice");
-            Err(twice.allowed_is("each once"))
-        };
         let Some((measure, folder)) = measure.zip(self.records.as_ref()) else {
-            let mut all = self.stripe.clone();
-            all.sort_by(|one, other| one.0.total_cmp(&other.0));
-            rising(&all.iter().map(|one| one.0).collect::<Vec<_>>(), "--stripe")?;
-            let read = all
-                .into_iter()
-                .map(|(intensity, folder)| Ok((intensity, suite::read(&folder, &self.declared, scene)?)));
-            return Ok(StripeMotions::Own(read.collect::<Result<_, Refused>>()?));
+            let read = |(intensity, folder): &(f64, PathBuf)| Ok((*intensity, suite::read(folder, &self.declared, scene)?));
+            return StripeMotions::own(self.stripe.iter().map(read).collect::<Result<_, Refused>>()?);
         };
         let mut intensities = self.stripes.clone();
         if intensities.is_empty() {
@@ -270,12 +203,6 @@ impl Arguments {
             }
             intensities = periods_between(self.from, self.to, self.n);
         }
-        intensities.sort_by(f64::total_cmp);
-        rising(&intensities, "--stripes")?;
-        Ok(StripeMotions::Scaled {
-            suite: suite::read_to_scale(folder, &self.declared, scene)?,
-            measure,
-            intensities,
-        })
+        StripeMotions::scaled(suite::read_to_scale(folder, &self.declared, scene)?, measure, intensities)
     }
 }

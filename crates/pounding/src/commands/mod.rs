@@ -16,6 +16,7 @@ mod init;
 mod laws;
 mod merge;
 mod motion;
+mod printed;
 mod run;
 mod schema;
 mod slabs;

@@ -11,7 +11,7 @@ use pounding::solver::LedgerError;
 use pounding::text::{Form, RefusalKind, Refused, Where};
 
 use super::declared::Declared;
-use crate::folder::Out;
+use super::printed::Results;
 use crate::progress::Waiting;
 
 const EXAMPLES: &str = "\
@@ -104,26 +104,6 @@ struct Suite {
     /// does, or --out.
     #[arg(long, requires = "records")]
     csv: bool,
-}
-
-/// Where a folder of results goes.
-#[derive(Debug, clap::Args)]
-struct Results {
-    /// Write a report with histories and figures here; of --records the table as
-    /// text, CSV and JSON.
-    #[arg(long, value_name = "FOLDER")]
-    out: Option<PathBuf>,
-    /// Write into a folder that holds other things; they stay.
-    #[arg(long, requires = "out")]
-    overwrite: bool,
-}
-
-impl Results {
-    /// Takes the folder, if one is asked for.
-    fn open(&self) -> Result<Option<Out>, Refused> {
-        let open = |out: &PathBuf| Out::open(out, self.overwrite);
-        self.out.as_ref().map(open).transpose()
-    }
 }
 
 impl Arguments {

@@ -13,7 +13,7 @@ Units are SI everywhere: kg, m, s, N, m/s². Names of columns end with their uni
 
 from ._answers import certify, compare, laws
 from ._errors import PoundingWarning, Refused
-from ._folder import Assessment
+from ._folder import Assessment, Ida
 from ._plots import plot_required_gap, plot_sweep
 from ._record import Record, formula, read, record
 from ._run import Run
@@ -22,6 +22,7 @@ from ._structures import building, sdof, wall
 
 __all__ = [
     "Assessment",
+    "Ida",
     "PoundingWarning",
     "Record",
     "Refused",

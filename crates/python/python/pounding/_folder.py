@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     import pandas
     from matplotlib.figure import Figure
 
-__all__ = ["Assessment"]
+__all__ = ["Assessment", "Ida"]
 
 
 @contextlib.contextmanager
@@ -161,3 +161,68 @@ class Assessment:
         answers = "".join(f"<p>{escape(answer)}</p>" for answer in [*self.sentences, "; ".join(self.motions)])
         notices = "".join(f"<li>{escape(notice)}</li>" for notice in [*self.warnings, *self.remarks])
         return f"<ul>{unusual}</ul>{answers}<ul>{notices}</ul>"
+
+
+class Ida:
+    """How often the states of a row are reached."""
+
+    __slots__ = ("_facts", "_native")
+
+    def __init__(self, native: _pounding.Ida) -> None:
+        self._native = native
+        self._facts: dict[str, Any] | None = None
+
+    @property
+    def facts(self) -> dict[str, Any]:
+        """All results, as ``pounding ida --json`` prints them; names end with units."""
+        if self._facts is None:
+            self._facts = json.loads(self._native.facts())
+        return dict(self._facts)
+
+    @property
+    def states(self) -> pandas.DataFrame:
+        """One row per state: median and dispersion of its fragility, and its annual frequency, with bounds."""
+        return self._frame("states")
+
+    @property
+    def by_gap(self) -> pandas.DataFrame:
+        """The same numbers of touching, one row per width of all gaps."""
+        return self._frame("by_gap")
+
+    @property
+    def stripes(self) -> pandas.DataFrame:
+        """One row per state and intensity: how many events reach it, and what the fragility says."""
+        return self._frame("stripes")
+
+    @property
+    def table(self) -> pandas.DataFrame:
+        """One row per run, as ``pounding ida --csv`` prints them."""
+        import pandas
+
+        return pandas.read_csv(io.StringIO(self._native.csv()), float_precision="round_trip")
+
+    @property
+    def warnings(self) -> list[str]:
+        """Why there is no fragility or frequency of the first state, and faults that the answer may have."""
+        refused = self._native.refused()
+        return [visible(one) for one in [*([refused] if refused else []), *self.facts["warnings"]]]
+
+    def report(self, folder: str | os.PathLike[str], *, overwrite: bool = False) -> Path:
+        """Writes ``ida.txt``, ``ida.csv``, ``ida.json``, ``stripes.csv`` and figures. Returns the path of the text."""
+        from ._run import written
+
+        return written(self._native.files(), folder, overwrite).with_name("ida.txt")
+
+    def _frame(self, fact: str) -> pandas.DataFrame:
+        import pandas
+
+        return pandas.DataFrame(self.facts[fact])
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Ida) and self.facts == other.facts
+
+    def __hash__(self) -> int:
+        return hash(self._native.facts())
+
+    def __repr__(self) -> str:
+        return self._native.text()

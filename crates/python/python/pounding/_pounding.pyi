@@ -7,7 +7,7 @@ from os import PathLike
 from pathlib import Path
 from typing import Any, SupportsFloat, SupportsIndex, final
 
-__all__ = ["Array", "Assessment", "Record", "Run", "Table", "advise", "assess", "certify", "check_scene", "effects", "laws", "opensees", "periods_between", "read_words", "required_gap", "run", "sketch_scene", "sweep", "visible", "words_of", "write_files"]
+__all__ = ["Array", "Assessment", "Ida", "Record", "Run", "Table", "advise", "assess", "certify", "check_scene", "effects", "ida", "laws", "opensees", "periods_between", "read_words", "required_gap", "run", "sketch_scene", "sweep", "visible", "words_of", "write_files"]
 
 @final
 class Array:
@@ -60,6 +60,32 @@ class Assessment:
     def warnings(self, /) -> list[str]:
         """
         Warnings about the results, and how much stronger all records were made to reach their target.
+        """
+
+@final
+class Ida:
+    """
+    How often the states of a row are reached, as the answer of `pounding ida`.
+    """
+    def csv(self, /) -> str:
+        """
+        The table of `pounding ida --csv`, one row per run.
+        """
+    def facts(self, /) -> str:
+        """
+        All results, as the JSON of `pounding ida --json`.
+        """
+    def files(self, /) -> dict[str, bytes]:
+        """
+        The files of a folder of results, by name.
+        """
+    def refused(self, /) -> str | None:
+        """
+        Why the first state has no fragility or no frequency; `None` if it has.
+        """
+    def text(self, /) -> str:
+        """
+        The answer as `pounding ida` prints it.
         """
 
 @final
@@ -241,6 +267,12 @@ def check_scene(text: str, path: str | PathLike[str]) -> str:
 def effects(text: str, path: str | PathLike[str], record: Record | None = None) -> str:
     """
     Effects of pounding on every storey, in both directions of shaking, as JSON.
+    """
+
+def ida(text: str, path: str | PathLike[str], folders: SupportsGetItem[int, str | PathLike[str]], intensities: SupportsGetItem[int, SupportsFloat | SupportsIndex], im: str | None, states: SupportsGetItem[int, str], gaps: SupportsGetItem[int, SupportsFloat | SupportsIndex], hazard: str | None = None, both: bool = False, progress: Any | None = None) -> Ida:
+    """
+    Finds how often a row reaches states. `folders` has one folder, whose records are scaled to every one of `intensities` [g] by the measure
+    `im`, or without `im` a folder for each of them. `hazard` is the text of a CSV table.
     """
 
 def laws() -> list[tuple[str, str, str]]:

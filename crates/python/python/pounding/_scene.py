@@ -24,7 +24,7 @@ from ._words import AT_REST, present, refused, table_of, to_json, visible, warn,
 if TYPE_CHECKING:
     import pandas
 
-    from ._folder import Assessment
+    from ._folder import Assessment, Ida
 
 __all__ = ["Scene", "row", "scene"]
 
@@ -357,6 +357,71 @@ class Scene:
             )
         found = Assessment(native)
         for one in [*found.unusual, *found.warnings, *found.remarks]:
+            warn(one, stacklevel=2)
+        return found
+
+    def ida(
+        self,
+        records: str | os.PathLike[str] | Iterable[Record] | Mapping[float, str | os.PathLike[str]],
+        *,
+        im: str | None = None,
+        stripes: Sequence[float] | None = None,
+        states: str | Sequence[str] = "touch",
+        gaps: Sequence[float] = (),
+        hazard: str | os.PathLike[str] | Iterable[Sequence[float]] | None = None,
+        both: bool = False,
+        progress: Progress | bool = False,
+    ) -> Ida:
+        """Finds how often the row is pounded, drifts or is pushed too far, as ``pounding ida`` does.
+
+        Warnings become Python warnings of the class :class:`PoundingWarning`, also the reason if there is no fragility.
+
+        Parameters
+        ----------
+        records
+            A folder or records, each of which is scaled to every intensity, or for each intensity [g] a folder of records as strong as in
+            their files.
+        im
+            How the intensity of records is measured: ``"pga"``, ``"sa(0.8)"``, ``"sa_avg(0.2..2)"``, or ``"T1"``, the spectral acceleration
+            at the longest first period of the row. Required with a hazard curve, else by default ``"T1"``.
+        stripes
+            Intensities [g]; by default 16 from 0.05 to 2 in equal ratios.
+        states
+            What is counted: ``"touch"``, ``"touch=2"`` (the second gap), ``"drift=0.01"``, ``"force=5e6"`` [N], ``"shear=5e6"`` [N],
+            ``"collapse"``.
+        gaps
+            Widths of all gaps [m] for which touching is told, too.
+        hazard
+            Hazard curve of the site for the measure of ``im``: a CSV file, or pairs of intensity [g] and mean annual frequency [1/year].
+        both
+            Whether every record shakes in both directions.
+        progress
+            Called with the number of finished runs and the number of all runs; ``True`` shows a line.
+        """
+        from ._folder import Ida, folder_of
+
+        with contextlib.ExitStack() as opened:
+            if isinstance(records, Mapping):
+                if im is not None or stripes is not None:
+                    raise refused("records", "folders for intensities, with im or stripes", "are folders for intensities alone")
+                intensities = [float(one) for one in records]
+                folders = [present(Path(os.fspath(one))) for one in records.values()]
+            else:
+                if im is None and hazard is not None:
+                    raise refused("im", "nothing", 'is the measure of the hazard curve, such as "sa(0.8)"')
+                im = im or "T1"
+                intensities = list(_pounding.periods_between(0.05, 2.0, 16) if stripes is None else stripes)
+                folders = [opened.enter_context(folder_of(records))]
+            if isinstance(hazard, (str, os.PathLike)):
+                curve: str | None = present(Path(os.fspath(hazard))).read_text(encoding="utf-8")
+            else:
+                curve = None if hazard is None else "".join(f"{float(x)!r},{float(y)!r}\n" for x, y in hazard)
+            named = [states] if isinstance(states, str) else list(states)
+            native = _pounding.ida(
+                self._text, Path(self._path), folders, intensities, im, named, list(gaps), curve, both, shown(progress)
+            )
+        found = Ida(native)
+        for one in found.warnings:
             warn(one, stacklevel=2)
         return found
 

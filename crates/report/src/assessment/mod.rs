@@ -27,6 +27,7 @@ use pounding_text::Form;
 use serde_json::Value;
 
 use crate::animation::{Animation, FILE};
+use crate::figures::Illustration;
 
 /// A run of an assessment and the motion that it is of.
 #[derive(Debug, Clone, PartialEq)]
@@ -279,18 +280,12 @@ impl AssessmentReport {
         if let Some(animation) = &self.animation {
             files.insert(FILE.into(), animation.svg.clone().into_bytes());
         }
-        for figure in drawn {
-            if let Ok((svg, png)) = figure.drawn {
-                files.insert(format!("{}.svg", figure.name), svg.into_bytes());
-                files.insert(format!("{}.png", figure.name), png);
-            }
-        }
+        files.extend(Illustration::files(drawn));
         files
     }
 
     /// Whether a folder of an assessment can have a file of this name.
     pub fn has_file(name: &str) -> bool {
-        let is_figure = |(stem, end): (&str, &str)| figures::NAMES.contains(&stem) && matches!(end, "svg" | "png");
-        [PAGE, TABLE, JSON, FILE].contains(&name) || name.rsplit_once('.').is_some_and(is_figure)
+        [PAGE, TABLE, JSON, FILE].contains(&name) || Illustration::has_file(&figures::NAMES, name)
     }
 }

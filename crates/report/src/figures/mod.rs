@@ -43,6 +43,20 @@ pub(crate) struct Illustration {
     pub(crate) drawn: Result<(String, Vec<u8>), PlotError>,
 }
 
+impl Illustration {
+    /// The files of pictures that could be drawn, by name.
+    pub(crate) fn files(all: Vec<Self>) -> impl Iterator<Item = (String, Vec<u8>)> {
+        let drawn = all.into_iter().filter_map(|one| Some((one.name, one.drawn.ok()?)));
+        drawn.flat_map(|(name, (svg, png))| [(format!("{name}.svg"), svg.into_bytes()), (format!("{name}.png"), png)])
+    }
+
+    /// Whether one of these pictures can have a file of this name.
+    pub(crate) fn has_file(pictures: &[&str], name: &str) -> bool {
+        let is_one = |(stem, end): (&str, &str)| pictures.contains(&stem) && matches!(end, "svg" | "png");
+        name.rsplit_once('.').is_some_and(is_one)
+    }
+}
+
 /// Results of a scene besides its run.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Known<'a> {

@@ -6,6 +6,7 @@ use pounding_scene::Implausible;
 use pounding_text::{Answer, Cell, Grid, Table, Unit, Where, digits, percent, two_digits};
 use serde_json::{Value, json};
 
+use super::cautions::{says_misfit, says_shares, shares_differ};
 use super::{Demand, RiskReport};
 use crate::SCHEMA_VERSION;
 use crate::folder::said_briefly;
@@ -58,7 +59,11 @@ impl<'a> RiskReport<'a> {
     /// The median intensity of a state, and how often it is reached.
     fn result(&self, state: State, risk: &Risk) -> Vec<String> {
         let Some(fragility) = risk.fragility() else {
-            return vec![format!("no fragility of motions that {}", state.words())];
+            let of_shares = risk.of_shares.as_ref().map(says_shares);
+            return [format!("no fragility of motions that {}", state.words())]
+                .into_iter()
+                .chain(of_shares)
+                .collect();
         };
         let theta = bounds(risk.bounds(|one| one.median), three);
         let beta = bounds(risk.bounds(|one| one.dispersion), three);
@@ -84,6 +89,7 @@ impl<'a> RiskReport<'a> {
                 percent(annual.probability_in(YEARS))
             ));
             said.extend(self.says_contributions(fragility));
+            said.extend(shares_differ(risk).map(says_shares));
         }
         said
     }
@@ -110,6 +116,8 @@ impl<'a> RiskReport<'a> {
 
     /// Adds the numbers of risks to a table.
     fn risks<Of: 'a>(&self, table: Table<'a, (Of, &'a Risk)>) -> Table<'a, (Of, &'a Risk)> {
+        let mut all = self.states.iter().map(|one| &one.1).chain(self.by_gap.iter().map(|one| &one.1));
+        let differ = all.any(|risk| shares_differ(risk).is_some());
         let fragility = |number: fn(&Fragility) -> f64| move |row: &(Of, &Risk)| row.1.fragility().map(number);
         let ends = |number: fn(&Fragility) -> f64, end: usize| {
             move |row: &(Of, &Risk)| Cell::exact(row.1.bounds(number).map(|bounds| bounds[end]))
@@ -135,7 +143,7 @@ impl<'a> RiskReport<'a> {
             .column("error_of_dispersion", of_fit(|fit| fit.error_of_dispersion))
             .column("correlation", of_fit(|fit| fit.correlation))
             .column("minus_log_likelihood", of_fit(|fit| fit.minus_log_likelihood));
-        let table = if self.hazard.is_some() { frequencies(table) } else { table };
+        let table = if self.hazard.is_some() { frequencies(table, differ) } else { table };
         table.column("refused", |row| row.1.refused().map(ToString::to_string))
     }
 
@@ -162,10 +170,7 @@ impl<'a> RiskReport<'a> {
         let all = self.states.iter().fold(table, |table, (state, risk)| {
             let fitted = |index: usize| Some(risk.fragility()?.probability(self.runs.intensities[index]));
             table
-                .shown(state.shown(), |index| {
-                    let stripe = &risk.stripes.all[*index];
-                    format!("{} of {}", digits((stripe.exceeding() * 100.0).round() / 100.0), stripe.n())
-                })
+                .shown(state.shown(), |index| counted(&risk.stripes.all[*index]))
                 .shown("fitted", move |index| fitted(*index).map(|part| format!("{:.0} %", 100.0 * part)))
         });
         all.grid()
@@ -279,16 +284,16 @@ impl<'a> RiskReport<'a> {
                 self.runs.runs.len()
             )),
         }
-        // The refusal of the first state is that of the command.
-        let others = self.states.iter().skip(1).map(|(state, risk)| (state.shown(), risk));
+        let states = self.states.iter().map(|(state, risk)| (state.shown(), risk));
         let gaps = self
             .by_gap
             .iter()
             .map(|(gap, risk)| (format!("a gap of {} mm", digits(gap * 1e3)), risk));
-        let refused = others
-            .chain(gaps)
-            .filter_map(|(name, risk)| Some(format!("{name}: {}", risk.refused()?)));
-        said.extend(refused);
+        let all: Vec<(String, &Risk)> = states.chain(gaps).collect();
+        // The refusal of the first state is that of the command.
+        let refused = all.iter().skip(1);
+        said.extend(refused.filter_map(|(name, risk)| Some(format!("{name}: {}", risk.refused()?))));
+        said.extend(all.iter().filter_map(|(name, risk)| says_misfit(name, risk)));
         said.extend(self.states.iter().filter_map(|(state, risk)| self.says_beyond(*state, risk)));
         said.extend(self.states.iter().filter_map(|(state, risk)| says_without_bounds(*state, risk)));
         said.extend(self.says_factors());
@@ -396,7 +401,7 @@ fn numbered<'a, Of: 'a>(
 }
 
 /// Adds how often states are reached.
-fn frequencies<'a, Of: 'a>(table: Table<'a, (Of, &'a Risk)>) -> Table<'a, (Of, &'a Risk)> {
+fn frequencies<'a, Of: 'a>(table: Table<'a, (Of, &'a Risk)>, differ: bool) -> Table<'a, (Of, &'a Risk)> {
     let of = |number: fn(&AnnualFrequency) -> f64| move |row: &(Of, &Risk)| row.1.annual().map(number);
     let end = |end: usize| move |row: &(Of, &Risk)| Cell::exact(row.1.rate_bounds.map(|bounds| bounds[end]));
     let exact = |number: fn(&AnnualFrequency) -> f64| move |row: &(Of, &Risk)| Cell::exact(row.1.annual().map(number));
@@ -404,6 +409,9 @@ fn frequencies<'a, Of: 'a>(table: Table<'a, (Of, &'a Risk)>) -> Table<'a, (Of, &
     let table = numbered(table, ["annual_frequency_per_year", "λ", "1/year"], three, of(|one| one.rate))
         .column("annual_frequency_low_per_year", end(0))
         .column("annual_frequency_high_per_year", end(1))
+        .column("annual_frequency_of_shares_per_year", |row| {
+            Cell::exact(row.1.of_shares.map(|one| one.rate))
+        })
         .column("part_below_the_curve", exact(|one| one.beyond[0]))
         .column("part_above_the_curve", exact(|one| one.beyond[1]));
     let table = numbered(
@@ -413,7 +421,17 @@ fn frequencies<'a, Of: 'a>(table: Table<'a, (Of, &'a Risk)>) -> Table<'a, (Of, &
         of(AnnualFrequency::return_period),
     );
     let in_years = of(|one| one.probability_in(YEARS));
-    numbered(table, ["probability_in_50_years", "In 50 years", ""], percent, in_years)
+    let table = numbered(table, ["probability_in_50_years", "In 50 years", ""], percent, in_years);
+    // The frequency by the shares stands beside that of the fragility where they differ.
+    if !differ {
+        return table;
+    }
+    table.shown_in("1/year", "λ of shares", |row| shares_differ(row.1).map(|one| three(one.rate)))
+}
+
+/// How many events of a stripe exceed the state.
+pub(super) fn counted(stripe: &Stripe) -> String {
+    format!("{} of {}", digits((stripe.exceeding() * 100.0).round() / 100.0), stripe.n())
 }
 
 /// A number with three significant digits, without zeros at its end: fragilities are known to one or two.

@@ -11,6 +11,8 @@ use pounding_risk::{HazardCurve, Risk, State, StripeRuns};
 use pounding_scene::{Scene, parallel};
 use pounding_text::{Form, Refused};
 
+use crate::figures::Illustration;
+
 pub use cautions::JudgedRun;
 
 /// The states of a row under motions of several intensities, and how often it reaches them.
@@ -80,19 +82,13 @@ impl<'a> RiskReport<'a> {
             .map(|(name, text)| (name.to_owned(), text.into_bytes()))
             .collect();
         files.insert(STRIPES.into(), self.stripes_table().csv().into_bytes());
-        for figure in figures::all(self) {
-            if let Ok((svg, png)) = figure.drawn {
-                files.insert(format!("{}.svg", figure.name), svg.into_bytes());
-                files.insert(format!("{}.png", figure.name), png);
-            }
-        }
+        files.extend(Illustration::files(figures::all(self)));
         files
     }
 
     /// Whether a folder of stripes can have a file of this name.
     pub fn has_file(name: &str) -> bool {
-        let is_figure = |(stem, end): (&str, &str)| figures::NAMES.contains(&stem) && matches!(end, "svg" | "png");
-        [TEXT, RUNS, JSON, STRIPES].contains(&name) || name.rsplit_once('.').is_some_and(is_figure)
+        [TEXT, RUNS, JSON, STRIPES].contains(&name) || Illustration::has_file(&figures::NAMES, name)
     }
 
     /// The measure of intensity in words.

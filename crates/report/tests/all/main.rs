@@ -1,4 +1,5 @@
 //! Tests of reports; the kind of each is in its name.
 
 mod opensees;
+mod risk;
 mod separation;

@@ -1,9 +1,9 @@
 //! Hazard curves and annual frequencies.
 
-use pounding_risk::{Fragility, HazardCurve};
+use pounding_risk::{EventShare, Fragility, HazardCurve, Stripe, Stripes};
 use proptest::prelude::*;
 
-use crate::{case, number, of_case};
+use crate::{case, number, of_case, stripes};
 
 fn power_law(at: &[f64], k0: f64, k: f64) -> HazardCurve {
     let points = at.iter().map(|im| [*im, k0 * libm::pow(*im, -k)]);
@@ -74,6 +74,49 @@ fn limit_contributions_add_up() {
     let sum: f64 = curve.contributions(&fragility, 37).iter().map(|one| one.rate).sum();
     let within = whole.rate * (1.0 - whole.beyond[0] - whole.beyond[1]);
     assert!((sum / within - 1.0).abs() < 1e-12, "{sum} {within}");
+}
+
+/// Shares of a lognormal at many intensities, joined by lines, give what the fragility gives, also where stripes end within it.
+#[test]
+fn limit_many_shares_give_the_frequency_of_their_fragility() {
+    let curve = HazardCurve::of(vec![[0.01, 0.2], [0.1, 0.02], [0.4, 1e-3], [1.2, 2e-5], [3.0, 1e-7]]).expect("a curve");
+    let fragility = Fragility {
+        median: 0.4,
+        dispersion: 0.5,
+    };
+    let wanted = curve.whole(&fragility).rate;
+    for [from, to] in [[0.005, 20.0], [0.25, 0.9]] {
+        let n = 4000;
+        let intensity = |index: u32| from * libm::pow(to / from, f64::from(index) / f64::from(n));
+        let stripe = |index: u32| Stripe {
+            intensity: intensity(index),
+            events: vec![EventShare {
+                event: 0,
+                share: fragility.probability(intensity(index)),
+            }],
+        };
+        let all = (0..=n).map(stripe).collect();
+        let found = curve
+            .whole_of_shares(&Stripes { all, same_events: true }, Some(&fragility))
+            .expect("a frequency");
+        assert!((found.rate / wanted - 1.0).abs() < 1e-5, "{} {wanted}", found.rate);
+    }
+}
+
+/// No motion up to one intensity and all from the next: the lines need no fragility. λ = −[H P] + [−H]/(k ln(b/a)) by hand.
+#[test]
+fn limit_shares_that_motions_separate_have_a_frequency() {
+    let curve = power_law(&[0.01, 50.0], 1e-3, 2.0);
+    let found = curve.whole_of_shares(&stripes(10, &[(0.2, 0), (0.26, 0), (0.3, 10), (0.4, 10)]), None);
+    let h = |im: f64| 1e-3 * libm::pow(im, -2.0);
+    let wanted = (h(0.26) - h(0.3)) / (2.0 * libm::log(0.3 / 0.26));
+    assert!(
+        (found.expect("a frequency").rate / wanted - 1.0).abs() < 1e-12,
+        "{found:?} {wanted}"
+    );
+    // A part of the motions at an end, and no fragility: nothing tells what lies beyond.
+    assert_eq!(curve.whole_of_shares(&stripes(10, &[(0.2, 1), (0.3, 10)]), None), None);
+    assert_eq!(curve.whole_of_shares(&stripes(0, &[(0.2, 0)]), None), None);
 }
 
 proptest! {

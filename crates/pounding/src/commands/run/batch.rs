@@ -26,11 +26,7 @@ pub(super) fn run(args: &Arguments, folder: &Path) -> Result<String, Refused> {
     } else {
         &[scene.record.reversed]
     };
-    let out = args.results.open()?;
-    if let Some(out) = &out {
-        out.keep(&[super::super::inputs_in(folder), vec![path.clone()]].concat())?;
-        out.apart_from(folder)?;
-    }
+    let out = args.results.open_beside(&[folder], vec![path.clone()])?;
     let any_record = Scene {
         duration_s: None,
         ..scene.clone()

@@ -2,7 +2,7 @@
 
 use pounding::assess::{LeftOutReason, Suite};
 use pounding::motion::{Interval, Reading};
-use pounding::report::MeasuredRecord;
+use pounding::report::{HeaderFacts, MeasuredRecord};
 use pounding::scene::{PairValues, SpectrumIntensities};
 use pounding::text::{Answer, Cell, Manner, NONE, Table, Where, cut, digits, percent, short};
 use serde_json::{Value, json};
@@ -201,6 +201,7 @@ fn direction(found: &MeasuredMotion) -> Option<&'static str> {
 fn listed<'a>(table: Table<'a, &'a ListedMotion>, gravity: f64, of_one_file: bool) -> Table<'a, &'a ListedMotion> {
     let read = |motion: &&'a ListedMotion| motion.found.as_ref().ok();
     let file = move |motion: &&'a ListedMotion| read(motion).map(|found| found.opened.file());
+    let facts = move |motion: &&'a ListedMotion| file(motion).map(|file| HeaderFacts::of(file.provenance()));
     let placed = move |motion: &&'a ListedMotion| read(motion).map(|found| &found.placed);
     let table = table
         .shown(if of_one_file { "Component" } else { "Record" }, move |motion| {
@@ -219,6 +220,12 @@ fn listed<'a>(table: Table<'a, &'a ListedMotion>, gravity: f64, of_one_file: boo
         )
         .column("gravity_m_per_s2", move |motion| Cell::exact(read(motion).map(|_| gravity)));
     MeasuredRecord::columns(table, gravity, move |motion| read(motion).map(MeasuredMotion::measured))
+        .column("event_name", move |motion| facts(motion)?.event)
+        .column("station", move |motion| facts(motion)?.station)
+        .column("epicentral_distance_m", move |motion| {
+            Cell::exact(facts(motion).and_then(|said| said.epicentral_distance))
+        })
+        .column("vs30_m_per_s", move |motion| Cell::exact(facts(motion).and_then(|said| said.vs30)))
         .column("left_out", move |motion| {
             placed(motion)?.as_ref().err().map(LeftOutReason::sentence)
         })
