@@ -35,6 +35,7 @@ mod rounding;
 mod series;
 mod settle;
 mod shaking;
+mod stick;
 mod storey;
 mod tie;
 mod watch;
