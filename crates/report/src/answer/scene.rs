@@ -67,7 +67,8 @@ pub(super) fn structures(prepared: &Simulation) -> Grid {
         })
         .shown_in("m", "Height", |one| one.storey(|made| made.height_m).map(digits))
         .shown_in("kN", "Yields at", |one| {
-            one.storey(|made| made.columns.yield_force_n.or(made.columns.friction_n)).map(|force| short(1e-3 * force))
+            one.storey(|made| made.columns.yield_force_n.or(made.columns.friction_n))
+                .map(|force| short(1e-3 * force))
         })
         .shown("Columns", |one| match one.floor {
             Some((_, made)) => Shown::from(kind(&made.columns)).over(shape(&made.columns)),

@@ -176,7 +176,9 @@ impl BuildingFile {
         let slides = |one: &StoreyFile| one.friction_n.is_some() && one.isolation_layer != Some(true);
         if let Some(index) = self.storeys.iter().position(slides) {
             let found = Refused::at(format!("storeys[{index}].friction_n")).found("it without isolators");
-            return Err(found.allowed_is("it beside isolation_layer = true").help("isolator.friction_pendulum sets it"));
+            return Err(found
+                .allowed_is("it beside isolation_layer = true")
+                .help("isolator.friction_pendulum sets it"));
         }
         above.map_or(Ok(()), |(index, _)| {
             let found = Refused::at(format!("storeys[{index}].isolation_layer")).found("true above the lowest storey");

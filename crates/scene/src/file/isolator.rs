@@ -80,7 +80,8 @@ impl Isolator {
                         ..Columns::elastic(after)
                     });
                 }
-                let yields_at = of("yield_displacement_m", yield_displacement_m).map_err(|refused| refused.allowed("a finite number >= 0"))?;
+                let yields_at =
+                    of("yield_displacement_m", yield_displacement_m).map_err(|refused| refused.allowed("a finite number >= 0"))?;
                 Ok(bilinear(strength, after, yields_at))
             }
             Self::Rubber { stiffness_n_per_m } => {

@@ -2,8 +2,8 @@
 
 use pounding_contact::{ContactLaw, LinearSpring, Stereomechanical};
 use pounding_solver::{
-    Bilinear, Clock, Excitation, Floor, Histories, Impact, LastStates, Laws, Ledger, Mixed, Node, Pair, Peaks, Point, Recorder, Row, RunError,
-    Sliding, Span,
+    Bilinear, Clock, Excitation, Floor, Histories, Impact, LastStates, Laws, Ledger, Mixed, Node, Pair, Peaks, Point, Recorder, Row,
+    RunError, Sliding, Span,
 };
 
 use crate::common::{METHODS, between, clock, ground, meeting, slope};
@@ -16,11 +16,11 @@ fn hard(restitution: f64) -> ContactLaw {
     ContactLaw::Stereomechanical(Stereomechanical { restitution })
 }
 
-fn soft(impact_stiffness: f64) -> ContactLaw {
+pub(crate) fn soft(impact_stiffness: f64) -> ContactLaw {
     ContactLaw::LinearSpring(LinearSpring { impact_stiffness })
 }
 
-fn elastic(stiffness: f64) -> Mixed {
+pub(crate) fn elastic(stiffness: f64) -> Mixed {
     Mixed::Sharp(Bilinear {
         stiffness,
         yield_force: f64::INFINITY,
@@ -53,13 +53,16 @@ fn free(mass: f64, velocity: f64) -> Node<Mixed> {
     }
 }
 
-fn on(below: usize) -> Floor {
-    Floor { below, ground_damping: 0.0 }
+pub(crate) fn on(below: usize) -> Floor {
+    Floor {
+        below,
+        ground_damping: 0.0,
+    }
 }
 
 /// Spans by node: start and end, displacement and velocity at the end, restoring force at both ends.
 #[derive(Default)]
-struct Seen {
+pub(crate) struct Seen {
     spans: Vec<(usize, [f64; 2], [f64; 2], [f64; 2])>,
     impacts: usize,
 }
@@ -77,7 +80,7 @@ impl Recorder for Seen {
 
 impl Seen {
     /// Instants and displacements at which a node comes to a standstill.
-    fn stops(&self, node: usize) -> Vec<[f64; 2]> {
+    pub(crate) fn stops(&self, node: usize) -> Vec<[f64; 2]> {
         let mut moves = false;
         let mut stops = Vec::new();
         for (_, [_, time], [displacement, velocity], _) in self.spans.iter().filter(|span| span.0 == node) {
@@ -90,18 +93,21 @@ impl Seen {
     }
 }
 
-struct Run {
-    seen: Seen,
+pub(crate) struct Run {
+    pub(crate) seen: Seen,
     last: LastStates,
     peaks: Peaks,
-    histories: Histories,
+    pub(crate) histories: Histories,
 }
 
-fn run(row: &Row<Mixed>, (step, samples): (f64, &[f64]), duration: f64) -> Run {
+pub(crate) fn run(row: &Row<Mixed>, (step, samples): (f64, &[f64]), duration: f64) -> Run {
     let excitation = Excitation::new(step, samples).expect("finite");
     let n = row.nodes().len();
     let ledger = Ledger::new(row, excitation).held_to(Laws::Energy { tolerance: 1e-16 });
-    let recorders = ((Seen::default(), LastStates::new(n)), (Peaks::new(n), Histories::new(n, 0.01, duration)));
+    let recorders = (
+        (Seen::default(), LastStates::new(n)),
+        (Peaks::new(n), Histories::new(n, 0.01, duration)),
+    );
     let mut recorders = (recorders, ledger);
     let clock = Clock {
         time_step: duration,
@@ -157,7 +163,12 @@ fn reference_a_pendulum_lets_go_and_sticks() {
             from = sign * displacement;
             times.push(*time);
         }
-        close("energy over weight", of("inputs", "mu") * way, of("expected", "energy_dissipated_over_weight_m"), 1e-15);
+        close(
+            "energy over weight",
+            of("inputs", "mu") * way,
+            of("expected", "energy_dissipated_over_weight_m"),
+            1e-15,
+        );
         // The fastest instant is in the middle of a half cycle: a run that ends there has this velocity.
         for (n, wanted) in numbers("largest_velocity_of_half_cycles").iter().enumerate() {
             let middle = run(&row, (0.01, &[0.0; 2]), (n as f64 + 0.5) * half);
@@ -216,7 +227,12 @@ fn reference_an_impact_makes_it_slide() {
         assert_eq!(seen.impacts, 1);
         let (v, limit) = (1.5 * 0.75 * 0.8, 0.2 * GRAVITY);
         let since = 0.2 - 0.02 / 0.8;
-        close("slides", sign * last.of(own).displacement, v * since - 0.5 * limit * since * since, 1e-14);
+        close(
+            "slides",
+            sign * last.of(own).displacement,
+            v * since - 0.5 * limit * since * since,
+            1e-14,
+        );
         close("velocity", sign * last.of(own).velocity, v - limit * since, 1e-13);
     }
 }

@@ -135,8 +135,13 @@ pub(super) fn check_friction(scene: &Scene) -> Result<(), Refused> {
     match scene.structures.iter().position(sticks) {
         Some(index) if !takes => {
             let place = format!("structures[{index}].building.storeys[0].isolator.friction_pendulum.yield_displacement_m");
-            let found = Refused::at(place).found(format!("0, under the method {}, which cannot let isolators stick", scene.method.name()));
-            Err(found.allowed("a number > 0, or the exact method").help("leave `method` out: the exact method is the default"))
+            let found = Refused::at(place).found(format!(
+                "0, under the method {}, which cannot let isolators stick",
+                scene.method.name()
+            ));
+            Err(found
+                .allowed("a number > 0, or the exact method")
+                .help("leave `method` out: the exact method is the default"))
         }
         Some(_) | None => Ok(()),
     }
