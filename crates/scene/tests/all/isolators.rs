@@ -98,7 +98,7 @@ fn extreme_words_of_isolators_that_are_refused() {
     };
     let refused = |isolator: &str| words(rigid(isolator, 0.0));
     let sticks = "isolator.friction_pendulum = { radius_m = 2.5, friction = 0.05, yield_displacement_m = 0 }";
-    insta::assert_snapshot!(words(format!("method.rk4.time_step_s = 0.001\n{}", rigid(sticks, 0.0))), @"");
+    insta::assert_snapshot!(words(format!("method.rk4.time_step_s = 0.001\n{}", rigid(sticks, 0.0))), @r#"scene "isolated": structures[0].building.storeys[0].isolator.friction_pendulum.yield_displacement_m: found 0, under the method rk4, which cannot let isolators stick, allowed a number > 0, or the exact method; leave `method` out: the exact method is the default"#);
     let all = [
         "isolator.friction_pendulum = { radius_m = 2.5, friction = 0.05, yield_displacement_m = -1 }",
         "stiffness_n_per_m = 1e6, friction_n = 1e5",
@@ -109,7 +109,10 @@ fn extreme_words_of_isolators_that_are_refused() {
         "isolator.spring.stiffness_n_per_m = 1e6",
     ];
     insta::assert_snapshot!(all.map(refused).join("\n"), @"
-    scene.toml, line 6, column 84: structures[0].building.storeys[0].isolator.friction_pendulum.yield_displacement_m: found 0, allowed a finite number > 0
+    scene.toml, line 6, column 84: structures[0].building.storeys[0].isolator.friction_pendulum.yield_displacement_m: found -1, allowed a finite number >= 0
+    scene.toml, line 6, column 45: structures[0].building.storeys[0].friction_n: found it without isolators, allowed is it beside isolation_layer = true; isolator.friction_pendulum sets it
+    scene "isolated": structures[0].building.storeys[0].friction_n: found -100000, allowed a finite number > 0
+    scene.toml, line 6, column 69: structures[0].building.storeys[0].friction_n: found it beside columns that yield, allowed is one of both; friction holds the storey until it slides
     scene.toml, line 6, column 20: structures[0].building.storeys[0].isolator: found isolators beside a stiffness or a yield point of the storey, allowed is one of both; isolators have their own stiffness
     scene.toml, line 6, column 45: structures[0].building.storeys[0].isolator_damping_n_s_per_m: found it without an isolator, allowed is it beside isolator, or beside isolation_layer = true
     scene.toml, line 6, column 29: structures[0].building.storeys[0].isolator: found `spring`, allowed are `lead_rubber`, `friction_pendulum`, `rubber`

@@ -20,6 +20,7 @@ mod contact;
 mod cost;
 mod flight;
 mod force;
+mod friction;
 mod groups;
 mod hits;
 mod impacts;

@@ -6,10 +6,10 @@
 //! known.
 
 use crate::exact::contact::{Join, PairState};
+use crate::exact::friction;
 use crate::exact::groups::{Block, Group, Lighter, Side};
 use crate::exact::links::LinkState;
 use crate::exact::member::Member;
-use crate::exact::stick;
 use crate::exact::storey::{self, own_force};
 use crate::exact::tie::Tie;
 use crate::model::incidence::Incidence;
@@ -63,7 +63,7 @@ pub(super) fn expand(
                 follow(member, p, n);
             }
         }
-        stick::hold(nodes, members, contacts, incidence, p, n);
+        friction::hold(nodes, members, contacts, incidence, p, n);
     }
 }
 
@@ -132,7 +132,7 @@ fn hold(tie: &Tie, members: &mut [Member], contacts: &mut [PairState], p: usize,
         }
     }
     for pair in &tie.pairs {
-        stick::press(&contacts[*pair], members, n);
+        friction::press(&contacts[*pair], members, n);
     }
 }
 
@@ -172,7 +172,7 @@ fn resting_forces(members: &[Member], contacts: &mut [PairState], block: &Block,
             Lighter::Right(need) => right + need,
         };
     });
-    stick::share_between(members, contacts, block, p, n);
+    friction::share_between(members, contacts, block, p, n);
 }
 
 /// Largest length of a piece for which the last coefficients are below rounding, on every branch of its members.

@@ -389,8 +389,8 @@ fn limit_mirror_images_of_a_row_that_slides() {
     }
 }
 
-/// Bilinear isolators of a shorter and shorter yield displacement D come nearer to those that stick, but slowly: where they should stick,
-/// they swing with v √(m D/µW), which is order 1/2. A tenth of a millimetre leaves 6 mm.
+/// Bilinear isolators of a shorter and shorter yield displacement come nearer to those that stick, but more slowly than in proportion to it:
+/// where they should stick they swing, and each stop and start adds an error. A tenth of a millimetre leaves 6 mm.
 #[test]
 fn order_of_a_yield_displacement_that_vanishes() {
     let samples = ground();
