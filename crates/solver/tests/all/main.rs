@@ -34,7 +34,6 @@ mod relations;
 mod rests;
 mod silent_faults;
 mod sliding;
-mod sliding_steps;
 mod slow_touches;
 mod storeys;
 mod storeys_books;

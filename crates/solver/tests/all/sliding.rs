@@ -16,11 +16,11 @@ fn hard(restitution: f64) -> ContactLaw {
     ContactLaw::Stereomechanical(Stereomechanical { restitution })
 }
 
-pub(crate) fn soft(impact_stiffness: f64) -> ContactLaw {
+fn soft(impact_stiffness: f64) -> ContactLaw {
     ContactLaw::LinearSpring(LinearSpring { impact_stiffness })
 }
 
-pub(crate) fn elastic(stiffness: f64) -> Mixed {
+fn elastic(stiffness: f64) -> Mixed {
     Mixed::Sharp(Bilinear {
         stiffness,
         yield_force: f64::INFINITY,
@@ -53,7 +53,7 @@ fn free(mass: f64, velocity: f64) -> Node<Mixed> {
     }
 }
 
-pub(crate) fn on(below: usize) -> Floor {
+fn on(below: usize) -> Floor {
     Floor {
         below,
         ground_damping: 0.0,
@@ -62,7 +62,7 @@ pub(crate) fn on(below: usize) -> Floor {
 
 /// Spans by node: start and end, displacement and velocity at the end, restoring force at both ends.
 #[derive(Default)]
-pub(crate) struct Seen {
+struct Seen {
     spans: Vec<(usize, [f64; 2], [f64; 2], [f64; 2])>,
     impacts: usize,
 }
@@ -80,7 +80,7 @@ impl Recorder for Seen {
 
 impl Seen {
     /// Instants and displacements at which a node comes to a standstill.
-    pub(crate) fn stops(&self, node: usize) -> Vec<[f64; 2]> {
+    fn stops(&self, node: usize) -> Vec<[f64; 2]> {
         let mut moves = false;
         let mut stops = Vec::new();
         for (_, [_, time], [displacement, velocity], _) in self.spans.iter().filter(|span| span.0 == node) {
@@ -93,14 +93,14 @@ impl Seen {
     }
 }
 
-pub(crate) struct Run {
-    pub(crate) seen: Seen,
+struct Run {
+    seen: Seen,
     last: LastStates,
     peaks: Peaks,
-    pub(crate) histories: Histories,
+    histories: Histories,
 }
 
-pub(crate) fn run(row: &Row<Mixed>, (step, samples): (f64, &[f64]), duration: f64) -> Run {
+fn run(row: &Row<Mixed>, (step, samples): (f64, &[f64]), duration: f64) -> Run {
     let excitation = Excitation::new(step, samples).expect("finite");
     let n = row.nodes().len();
     let ledger = Ledger::new(row, excitation).held_to(Laws::Energy { tolerance: 1e-16 });
