@@ -39,6 +39,12 @@ pub enum SecondRouteError {
         /// Place of the link in the row, from 0.
         link: usize,
     },
+    /// A storey that sticks and slides under friction.
+    #[error("second route: nodes[{node}] sticks under friction; give it a yield displacement")]
+    Sticks {
+        /// Node of its floor.
+        node: usize,
+    },
     /// Too many connected impulsive pairs touch at the same time. Every subset of them is tried, so their number is limited.
     #[error(
         "second route: {found} impulsive pairs touch at t = {time} s and meet floors of each other, allowed are {limit}; give some of them a gap or a compliant law"

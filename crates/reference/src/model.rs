@@ -1,6 +1,6 @@
 //! The row as plain numbers, and their places in the vector of unknowns.
 
-use pounding_solver::{Hysteretic, Node, Pair, Row, Support};
+use pounding_solver::{Hysteretic, Knee, Node, Pair, Row, Support};
 
 use super::SecondRouteError;
 use super::ends::Ends;
@@ -52,8 +52,12 @@ pub(super) struct Neighbours {
 
 impl Model {
     /// # Errors
-    /// A link has a law that this program does not integrate.
+    /// A link has a law, or a storey columns, that this program does not integrate.
     pub(super) fn new<Column: Hysteretic>(row: &Row<Column>) -> Result<Self, SecondRouteError> {
+        let sticks = |node: &Node<Column>| node.column.hysteresis().knee == Knee::Rigid;
+        if let Some(node) = row.nodes().iter().position(sticks) {
+            return Err(SecondRouteError::Sticks { node });
+        }
         let nodes = row.nodes().iter().enumerate();
         let mut structures: Vec<_> = nodes.map(|(index, node)| structure(node, index, row.arrival(index))).collect();
         let n_nodes = structures.len();

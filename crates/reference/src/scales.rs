@@ -62,7 +62,8 @@ impl Scales {
         for (index, pair) in model.pairs.iter().enumerate() {
             let rate = pair.deformation + 1;
             self.largest[rate] = self.largest[rate].max(y[rate].abs());
-            let momentum = pair.reduced_mass * self.speed(model, index);
+            // Neighbours that begin to press at rest have no speed yet, and their impulse begins like a high power of time, too.
+            let momentum = pair.reduced_mass * self.speed(model, index).max(self.least_speed);
             self.sizes[model.impulse(index)] = momentum;
             // A structure that its first collision sets in motion has no scale yet. Relative to the structure itself, the error of a motion
             // that begins like a high power of the variable is the same in every step, however short.

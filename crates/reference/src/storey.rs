@@ -89,7 +89,7 @@ impl StoreyColumns {
                 exponent: shape.exponent,
                 unloading: shape.unloading,
             }),
-            Knee::Smooth(_) | Knee::Sharp => None,
+            Knee::Smooth(_) | Knee::Sharp | Knee::Rigid => None,
         };
         Self {
             stiffness,

@@ -358,6 +358,15 @@ pub enum RunError {
         /// Index of the structure.
         structure: usize,
     },
+    /// Columns that stick and slide, in a run by a method that does not take them.
+    #[error(
+        "structure {structure}: its isolators stick and slide without any displacement before, which only the exact method takes: choose \
+         it, or a yield displacement > 0"
+    )]
+    Friction {
+        /// Index of the structure.
+        structure: usize,
+    },
     /// The run needs more pieces than the budget allows.
     #[error(
         "t = {time:.4} s: the exact method has taken more than {allowed:e} pieces of motion, all that `budget.pieces` allows: make it \

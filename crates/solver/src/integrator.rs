@@ -64,6 +64,7 @@ impl Integrator {
             return Err(RunError::TakesNoLinks);
         }
         self.takes_damping_of(row)?;
+        self.takes_friction_of(row)?;
         match *self {
             Self::CentralDifference(settings) => central_difference::run(settings, row, excitation, course, recorder),
             Self::Newmark(settings) => newmark::run(settings, row, excitation, course, recorder),
@@ -97,6 +98,19 @@ impl Integrator {
         };
         let refused = row.nodes().iter().position(follows);
         refused.map_or(Ok(()), |structure| Err(RunError::TangentDamping { structure }))
+    }
+
+    /// Whether the method takes columns that stick and slide.
+    pub fn takes_friction(&self) -> bool {
+        matches!(self, Self::Exact(_))
+    }
+
+    fn takes_friction_of<Column: Hysteretic>(&self, row: &Row<Column>) -> Result<(), RunError> {
+        let sticks = |node: &Node<Column>| node.column.hysteresis().knee == Knee::Rigid;
+        match row.nodes().iter().position(sticks) {
+            Some(structure) if !self.takes_friction() => Err(RunError::Friction { structure }),
+            Some(_) | None => Ok(()),
+        }
     }
 
     /// The laws that a run of the method must obey: only the exact method must keep energy to rounding.

@@ -100,6 +100,7 @@ pub use model::modes::{Mode, Oscillation, modes};
 pub use model::node::{Floor, Node, Support};
 pub use model::relation::{Pair, Point, Relation, Share};
 pub use model::row::Row;
+pub use model::sliding::Sliding;
 pub use model::travel::{Opening, Travel};
 pub use record::recorder::{Impact, Recorder, Struck, Touch, Velocities};
 pub use record::{

@@ -216,6 +216,7 @@ fn model_lines(plan: &Plan<'_>) -> Vec<String> {
     let columns = floors.all().iter().filter_map(|floor| floor.made_of);
     let columns: Vec<_> = columns.map(|made| made.columns).collect();
     let yields = |one: &&Columns| one.yield_force_n.is_some();
+    let slide = columns.iter().any(|one| one.friction_n.is_some());
     let kind = if columns.iter().any(|one| one.bouc_wen.is_some()) {
         "smooth loops (Bouc–Wen)"
     } else if columns.iter().any(|one| one.hardening_ratio.is_some()) {
@@ -224,6 +225,7 @@ fn model_lines(plan: &Plan<'_>) -> Vec<String> {
         "elastic-perfectly plastic"
     };
     let columns = match columns.iter().filter(yields).count() {
+        0 if slide => "elastic, on isolators that stick and slide under friction".to_string(),
         0 => "elastic: none yields, none remembers".to_string(),
         n => format!("{kind}, of which {n} can yield"),
     };

@@ -67,7 +67,8 @@ pub(super) fn structures(prepared: &Simulation) -> Grid {
         })
         .shown_in("m", "Height", |one| one.storey(|made| made.height_m).map(digits))
         .shown_in("kN", "Yields at", |one| {
-            one.storey(|made| made.columns.yield_force_n).map(|force| short(1e-3 * force))
+            one.storey(|made| made.columns.yield_force_n.or(made.columns.friction_n))
+                .map(|force| short(1e-3 * force))
         })
         .shown("Columns", |one| match one.floor {
             Some((_, made)) => Shown::from(kind(&made.columns)).over(shape(&made.columns)),
@@ -88,6 +89,7 @@ fn start(displacement: f64, velocity: f64) -> Option<String> {
 
 fn kind(columns: &Columns) -> &'static str {
     match (columns.yield_force_n, columns.bouc_wen) {
+        (None, _) if columns.friction_n.is_some() => "friction",
         (None, _) => "elastic",
         (Some(_), Some(_)) => "Bouc–Wen",
         (Some(_), None) if columns.hardening_ratio.is_some_and(|ratio| ratio > 0.0) => "bilinear",

@@ -96,7 +96,7 @@ fn panel(seen: &Seen<'_>, index: usize, range: Option<(f64, f64)>) -> Panel {
     let points = points.map(|(drift, force)| (1e3 * drift, factor * force));
     let points: Vec<(f64, f64)> = points.collect();
     let columns = floor.made_of.map(|made| made.columns);
-    let sharp = columns.filter(|one| one.bouc_wen.is_none());
+    let sharp = columns.filter(|one| one.bouc_wen.is_none() && one.friction_n.is_none());
     let points = thinned(sharp.map_or(points.clone(), |columns| {
         let elastic = 1e-3 * factor * columns.stiffness_n_per_m;
         let hardening = columns.hardening_ratio.unwrap_or(0.0);

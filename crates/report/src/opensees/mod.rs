@@ -41,6 +41,13 @@ impl OpenSees {
                 "structures[{index}]: found damping on the tangent stiffness, allowed is the initial one: the script has a dashpot in every storey"
             )));
         }
+        let mut floors = prepared.floors().all().iter();
+        if let Some(floor) = floors.find(|floor| floor.made_of.is_some_and(|made| made.columns.friction_n.is_some())) {
+            return Err(OpenSeesError::NotModelled(format!(
+                "structures[{}]: found isolators with yield_displacement_m = 0, allowed is a number > 0: no material of the script sticks",
+                floor.structure
+            )));
+        }
         let row = ScriptRow::of(prepared);
         let materials = materials(prepared, &row, self.approximate).map_err(OpenSeesError::NotModelled)?;
         let prepared = &prepared.exact().map_err(OpenSeesError::Run)?;

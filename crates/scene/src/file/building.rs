@@ -84,6 +84,8 @@ struct StoreyFile {
     hardening_ratio: Option<f64>,
     /// Smooth yielding; by default columns yield at one point.
     bouc_wen: Option<BoucWen>,
+    /// Friction of isolators that stick, beside their stiffness \[N\], > 0, with `isolation_layer`; the words of `isolator` set it.
+    friction_n: Option<f64>,
     /// Height of the storey \[m\], > 0; for drift ratios and for which floors face each other. An isolation layer without it has its base
     /// slab at the ground.
     height_m: Option<f64>,
@@ -171,6 +173,13 @@ impl BuildingFile {
     fn check_isolation(&self) -> Result<(), Refused> {
         let mut storeys = self.storeys.iter().enumerate();
         let above = storeys.find(|(index, one)| one.isolation_layer == Some(true) && (*index > 0 || one.repeat > 1));
+        let slides = |one: &StoreyFile| one.friction_n.is_some() && one.isolation_layer != Some(true);
+        if let Some(index) = self.storeys.iter().position(slides) {
+            let found = Refused::at(format!("storeys[{index}].friction_n")).found("it without isolators");
+            return Err(found
+                .allowed_is("it beside isolation_layer = true")
+                .help("isolator.friction_pendulum sets it"));
+        }
         above.map_or(Ok(()), |(index, _)| {
             let found = Refused::at(format!("storeys[{index}].isolation_layer")).found("true above the lowest storey");
             let allowed = found.allowed("the lowest storey of a building, once");
@@ -207,7 +216,8 @@ impl BuildingFile {
             || storey.yield_displacement_m.is_some()
             || storey.yield_drift_ratio.is_some()
             || storey.hardening_ratio.is_some()
-            || storey.bouc_wen.is_some();
+            || storey.bouc_wen.is_some()
+            || storey.friction_n.is_some();
         if has_columns {
             let found = Refused::at(place).found("isolators beside a stiffness or a yield point of the storey");
             return Err(found.allowed_is("one of both").help("isolators have their own stiffness"));
@@ -287,6 +297,7 @@ impl StoreyFile {
             yield_drift_ratio: self.yield_drift_ratio,
             hardening_ratio: self.hardening_ratio,
             bouc_wen: self.bouc_wen,
+            friction_n: self.friction_n,
             height_m: self.height_m,
         };
         Ok(Storey {
@@ -332,6 +343,7 @@ impl Building {
             yield_drift_ratio: None,
             hardening_ratio: None,
             bouc_wen: None,
+            friction_n: None,
             height_m: *height_m,
             isolator: None,
             isolator_damping_n_s_per_m: None,

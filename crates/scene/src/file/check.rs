@@ -87,6 +87,7 @@ impl Scene {
             require(duration > 0.0, "duration_s", duration, POSITIVE)?;
         }
         structure::check_tangent_damping(self)?;
+        structure::check_friction(self)?;
         let Some(dt) = self.method.time_step() else {
             return Ok(());
         };

@@ -19,6 +19,9 @@ pub struct Columns {
     /// Smooth yielding; absent if columns yield at one point.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub bouc_wen: Option<BoucWen>,
+    /// Friction beside the stiffness, below which the storey does not move \[N\], > 0; only isolators have it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub friction_n: Option<f64>,
 }
 
 impl Columns {
@@ -29,6 +32,7 @@ impl Columns {
             yield_force_n: None,
             hardening_ratio: None,
             bouc_wen: None,
+            friction_n: None,
         }
     }
 }
@@ -88,6 +92,7 @@ pub(super) struct ColumnsFile {
     pub(super) yield_drift_ratio: Option<f64>,
     pub(super) hardening_ratio: Option<f64>,
     pub(super) bouc_wen: Option<BoucWen>,
+    pub(super) friction_n: Option<f64>,
     pub(super) height_m: Option<f64>,
 }
 
@@ -109,6 +114,10 @@ impl ColumnsFile {
     /// Returns columns of a stiffness \[N/m\].
     pub(super) fn columns(&self, stiffness: f64) -> Result<Columns, Refused> {
         let yield_force = self.yield_force(stiffness)?;
+        if self.friction_n.is_some() && yield_force.is_some() {
+            let both = Refused::at("friction_n").found("it beside columns that yield");
+            return Err(both.allowed_is("one of both").help("friction holds the storey until it slides"));
+        }
         if yield_force.is_none() {
             if self.hardening_ratio.is_some() {
                 return Err(never_yields("hardening_ratio"));
@@ -122,6 +131,7 @@ impl ColumnsFile {
             yield_force_n: yield_force,
             hardening_ratio: self.hardening_ratio,
             bouc_wen: self.bouc_wen,
+            friction_n: self.friction_n,
         })
     }
 

@@ -26,7 +26,7 @@ pub(super) enum Isolator {
         radius_m: f64,
         /// Coefficient of friction µ \[–\], > 0.
         friction: f64,
-        /// Displacement at which they slide \[m\], > 0; 0.001 by default.
+        /// Displacement at which they slide \[m\], ≥ 0; 0.001 by default. With 0 they stick, and only the exact method takes them.
         #[serde(default = "slides")]
         yield_displacement_m: f64,
     },
@@ -73,11 +73,16 @@ impl Isolator {
             } => {
                 let of = |field: &str, value| positive(place("friction_pendulum", field), value);
                 let after = weight / of("radius_m", radius_m)?;
-                Ok(bilinear(
-                    weight * of("friction", friction)?,
-                    after,
-                    of("yield_displacement_m", yield_displacement_m)?,
-                ))
+                let strength = weight * of("friction", friction)?;
+                if yield_displacement_m == 0.0 {
+                    return Ok(Columns {
+                        friction_n: Some(strength),
+                        ..Columns::elastic(after)
+                    });
+                }
+                let yields_at =
+                    of("yield_displacement_m", yield_displacement_m).map_err(|refused| refused.allowed("a finite number >= 0"))?;
+                Ok(bilinear(strength, after, yields_at))
             }
             Self::Rubber { stiffness_n_per_m } => {
                 let stiffness = positive(place("rubber", "stiffness_n_per_m"), stiffness_n_per_m)?;
@@ -91,9 +96,8 @@ impl Isolator {
 fn bilinear(strength: f64, after: f64, yields_at: f64) -> Columns {
     let before = after + strength / yields_at;
     Columns {
-        stiffness_n_per_m: before,
         yield_force_n: Some(before * yields_at),
         hardening_ratio: Some(after / before),
-        bouc_wen: None,
+        ..Columns::elastic(before)
     }
 }

@@ -291,6 +291,7 @@ impl SdofFile {
             yield_drift_ratio: self.yield_drift_ratio,
             hardening_ratio: self.hardening_ratio,
             bouc_wen: self.bouc_wen,
+            friction_n: None,
             height_m: self.height_m,
         };
         columns.columns(self.stiffness()?)
@@ -331,6 +332,7 @@ impl Sdof {
             yield_force_n: self.yield_force_n,
             hardening_ratio: self.hardening_ratio,
             bouc_wen: self.bouc_wen,
+            friction_n: None,
         }
     }
 

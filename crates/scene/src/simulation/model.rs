@@ -5,7 +5,7 @@ use crate::{Columns, Method, Scene, Standing, Structure};
 use pounding_contact::{ContactLaw, LinearSpring, Stereomechanical};
 use pounding_solver::{
     AnyRow, Bilinear, BoucWen, CentralDifference, Clock, Elastic, Exact, Hht, Hysteretic, Integrator, Link, Mixed, ModelError, MoreauJean,
-    Newmark, Node, Pair, Point, Relation, Rk4, Row, Smoothness, Storey, Verlet,
+    Newmark, Node, Pair, Point, Relation, Rk4, Row, Sliding, Smoothness, Storey, Verlet,
 };
 
 /// Gap of neighbours that stand apart in a scene, if all pairs are modelled \[m\].
@@ -16,12 +16,14 @@ const OUT_OF_REACH: f64 = 1e9;
 enum Asked {
     Nothing,
     Yielding,
+    /// Or sliding.
     Bending,
 }
 
 impl Asked {
     fn of(columns: &Columns) -> Self {
         match (columns.yield_force_n, columns.bouc_wen) {
+            _ if columns.friction_n.is_some() => Self::Bending,
             (None, _) => Self::Nothing,
             (Some(_), Some(_)) => Self::Bending,
             (Some(_), None) => Self::Yielding,
@@ -78,6 +80,12 @@ fn bilinear(columns: &Columns) -> Bilinear {
 
 fn mixed(columns: &Columns) -> Mixed {
     let sharp = bilinear(columns);
+    if let Some(friction) = columns.friction_n {
+        return Mixed::Sliding(Sliding {
+            stiffness: sharp.stiffness,
+            friction,
+        });
+    }
     match columns.bouc_wen {
         None => Mixed::Sharp(sharp),
         Some(smooth) => Mixed::Smooth(BoucWen {

@@ -415,6 +415,7 @@ impl Simulation {
             }
             RunError::Diverged { structure, .. }
             | RunError::TangentDamping { structure }
+            | RunError::Friction { structure }
             | RunError::TooStiff { structure, .. }
             | RunError::OutOfNumbers { structure, .. } => structure..structure + 1,
             RunError::NotConverged { first, last, .. } | RunError::ImpulsesNotFound { first, last, .. } => first..last + 1,

@@ -221,6 +221,10 @@ impl<R: Recorder> ExactRun<'_, R> {
         };
         watch.events.clear();
         self.watch(&mut watch, first, len, time)?;
+        // What holds a floor beyond its friction is no force that another floor feels: the floor lets go before anything else.
+        if watch.length == 0.0 && watch.events.iter().any(|event| event.lets_go(&self.moving.members)) {
+            watch.events.retain(|event| event.lets_go(&self.moving.members));
+        }
         // A force at rest that fades when the next sample arrives may continue after it.
         let left = power.time(length) - power.time(watch.length);
         let at_sample = whole && left <= rounding::OF_SUMS * self.agenda.clock.absolute(stop);
@@ -305,7 +309,7 @@ impl<R: Recorder> ExactRun<'_, R> {
         for node in group.nodes() {
             if let Some((member, below)) = member::with_below(members, *node) {
                 corrected |= member.turns_back(below, power.order(), len);
-                corrected |= alone && member.goes_astray(below, power.order(), len);
+                corrected |= (alone || member.stick.is_some()) && member.goes_astray(below, power.order(), len);
             }
         }
         for link in group.links() {
@@ -317,6 +321,8 @@ impl<R: Recorder> ExactRun<'_, R> {
         if !corrected {
             return (power, len);
         }
+        // A floor that has begun to stick changes the ties of its body.
+        self.regroup();
         let (power, len) = self.expand(first, time);
         self.clean(first, time, power);
         for node in self.touching.groups.of(first).nodes() {

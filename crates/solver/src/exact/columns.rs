@@ -47,14 +47,18 @@ impl LoopConstants {
             knee,
         } = hysteresis;
         // Columns that never yield are elastic.
-        if yield_force.is_infinite() {
+        if yield_force.is_infinite() && knee != Knee::Rigid {
             hardening = 0.0;
         }
         let hysteretic_stiffness = (1.0 - hardening) * stiffness;
-        let limit = (1.0 - hardening) * yield_force;
+        let limit = if knee == Knee::Rigid {
+            yield_force
+        } else {
+            (1.0 - hardening) * yield_force
+        };
         let bend = match knee {
             Knee::Smooth(smoothness) if yield_force.is_finite() => Some(Box::new(Bend::new(smoothness, hysteretic_stiffness, limit))),
-            Knee::Smooth(_) | Knee::Sharp => None,
+            Knee::Smooth(_) | Knee::Sharp | Knee::Rigid => None,
         };
         Self {
             stiffness,

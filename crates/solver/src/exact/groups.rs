@@ -3,6 +3,7 @@
 use std::ops::Range;
 
 use crate::exact::contact::{Join, PairState, System};
+use crate::exact::member::Member;
 use crate::exact::tie::Tie;
 use crate::model::incidence::Incidence;
 use crate::{Point, Relation};
@@ -32,6 +33,8 @@ pub(super) struct Groups {
     places: Vec<Places>,
     /// How pairs were joined when the lists were made.
     joins: Vec<JoinKind>,
+    /// Which nodes stood still then: ties depend on masses.
+    still: Vec<bool>,
     /// The next node of the body, by node; the last node points to itself.
     next: Vec<usize>,
     pub(super) is_chain: bool,
@@ -203,7 +206,8 @@ impl Groups {
     /// Updates the bodies if the links have changed.
     pub(super) fn update(&mut self, system: System<'_>) {
         let same = |(kind, contact): (&JoinKind, &PairState)| *kind == contact.kind();
-        if !self.joins.iter().zip(system.contacts).all(same) {
+        let still = |(still, member): (&bool, &Member)| *still == member.is_still();
+        if !self.joins.iter().zip(system.contacts).all(same) || !self.still.iter().zip(system.members).all(still) {
             self.rebuild(system);
         }
     }
@@ -212,6 +216,8 @@ impl Groups {
         self.linked.clear();
         self.joins.clear();
         self.joins.extend(system.contacts.iter().map(PairState::kind));
+        self.still.clear();
+        self.still.extend(system.members.iter().map(Member::is_still));
         self.unite(system);
         self.nodes.clear();
         self.followed.clear();

@@ -62,6 +62,7 @@ impl<R: Recorder> ExactRun<'_, R> {
             if later {
                 let member = &mut self.moving.members[node];
                 (member.balanced, member.peaked) = (false, false);
+                member.go_by();
                 if let Some(storey) = &mut member.storey {
                     storey.still = false;
                 }
@@ -160,9 +161,10 @@ impl<R: Recorder> ExactRun<'_, R> {
     fn report(&mut self, node: usize, first: usize, time: f64, x: f64, end: State) {
         let body = &self.moving.bodies[first];
         let member = &self.moving.members[node];
-        let (tangent, bent) = match &member.bend {
-            None => (member.tangent(), &[][..]),
-            Some(bend) => (member.hardened_stiffness, &bend.force[..body.len]),
+        let (tangent, bent) = match (&member.bend, member.held()) {
+            (None, None) => (member.tangent(), &[][..]),
+            (None, Some(stick)) => (member.tangent(), &stick.force[..body.len]),
+            (Some(bend), _) => (member.hardened_stiffness, &bend.force[..body.len]),
         };
         let storey = member.storey.as_ref();
         let below = storey.map(|storey| &self.moving.members[storey.below]);
@@ -262,9 +264,10 @@ impl Member {
 
     /// The hysteretic part of the force at x, at this drift.
     fn hysteretic_end(&self, drift: f64, len: usize, x: f64) -> f64 {
-        match &self.bend {
-            None => self.hysteretic_force_at(drift, rise(&self.drift()[..len], x)),
-            Some(bend) => self.hysteretic_force + rise(&bend.force[..len], x),
+        match (&self.bend, self.held()) {
+            (None, None) => self.hysteretic_force_at(drift, rise(&self.drift()[..len], x)),
+            (None, Some(stick)) => value(&stick.force[..len], x),
+            (Some(bend), _) => self.hysteretic_force + rise(&bend.force[..len], x),
         }
     }
 }

@@ -3,6 +3,7 @@
 use crate::exact::bend::Bend;
 use crate::exact::columns::{Branch, LoadingLine, LoopConstants};
 use crate::exact::link_laws::Linked;
+use crate::exact::stick::Stick;
 use crate::model::excitation::Segment;
 use crate::roots::CAPACITY;
 use crate::{Flight, Floor, Hysteresis, Hysteretic, Knee, Row, State, Support};
@@ -84,6 +85,8 @@ pub(super) struct Member {
     pub(super) falls_at: f64,
     /// Columns that yield smoothly.
     pub(super) bend: Option<Box<Bend>>,
+    /// Friction below it; [`Branch::Elastic`] is then the branch on which it sticks.
+    pub(super) stick: Option<Box<Stick>>,
     pub(super) branch: Branch,
     pub(super) line: LoadingLine,
     /// Rate that bounds the motion of a body together with the rates of its other members; see [`fastest_rate`].
@@ -158,6 +161,7 @@ impl Member {
             limit,
             falls_at: f64::INFINITY,
             bend,
+            stick: Stick::of(floor.column.hysteresis(), 1.0 / floor.inverse_mass),
             branch: Branch::Elastic,
             line: LoadingLine::of(hysteretic_force, limit),
             fastest_rate: fastest_rate(row, node),
@@ -171,7 +175,8 @@ impl Member {
             velocity: [0.0; CAPACITY],
             acceleration: [0.0; CAPACITY],
         };
-        member.plain = !member.is_tied() && member.bend.is_none();
+        member.plain = !member.is_tied() && member.bend.is_none() && member.stick.is_none();
+        member.slide();
         member
     }
 
@@ -198,6 +203,11 @@ impl Member {
     }
 
     pub(super) fn is_wall(&self) -> bool {
+        self.is_still() && self.stick.is_none()
+    }
+
+    /// Whether it is a wall, or friction holds it.
+    pub(super) fn is_still(&self) -> bool {
         self.inverse_mass == 0.0
     }
 
@@ -218,6 +228,7 @@ impl Member {
             Branch::Elastic => self.whole_damping,
             Branch::Right | Branch::Left => self.whole_damping - self.elastic_damping,
         };
+        self.stick_or_slide();
     }
 
     /// Tangent stiffness of the branch \[N/m\].
@@ -261,6 +272,8 @@ impl Member {
     pub(super) fn restoring_force(&self, n: usize) -> f64 {
         match &self.bend {
             Some(bend) if n > 0 => self.hardened_stiffness * self.drift()[n] + bend.force[n],
+            // The friction that holds a floor is found from all other forces.
+            None if self.held().is_some() => self.hardened_stiffness * self.drift()[n],
             Some(_) | None => self.force_of(self.drift()[n], n),
         }
     }
@@ -366,7 +379,7 @@ fn fastest_rate<Column: Hysteretic>(row: &Row<Column>, node: usize) -> f64 {
         } = nodes[node].column.hysteresis();
         match knee {
             // Under gravity the stiffness after yielding may be negative.
-            Knee::Sharp => stiffness * hardening.abs().max(1.0),
+            Knee::Sharp | Knee::Rigid => stiffness * hardening.abs().max(1.0),
             // Unloading may be stiffer than the elastic line.
             Knee::Smooth(smoothness) => {
                 let bend = (2.0 * smoothness.unloading).max(1.0);

@@ -73,7 +73,7 @@ fn measure(node: usize, members: &mut [Member], contacts: &[PairState], incidenc
         .sum();
     let member = &mut members[node];
     let ground = (member.ground.value.abs(), member.ground.slope.abs());
-    let acceleration = if member.is_wall() {
+    let acceleration = if member.is_still() {
         0.0
     } else {
         (own + pushed) * member.inverse_mass + ground.0

@@ -5,6 +5,7 @@ use std::ops::Range;
 use crate::exact::contact::{Gap, Join, System};
 use crate::exact::groups::beside;
 use crate::exact::hits::Hit;
+use crate::exact::member::Member;
 use crate::exact::noise::clean;
 use crate::exact::rounding::noise;
 use crate::exact::{ExactRun, Touching};
@@ -88,9 +89,9 @@ impl<R: Recorder> ExactRun<'_, R> {
         Ok(())
     }
 
-    /// Whether both sides of a pair already rest against walls.
+    /// Whether both sides of a pair already rest against walls, or floors that friction holds.
     fn is_held(&self, pair: usize) -> bool {
-        if self.moving.walls < 2 {
+        if self.moving.walls < 2 && self.moving.members.iter().all(|member| member.held().is_none()) {
             return false;
         }
         let [left, _] = self.touching.contacts[pair].floors();
@@ -106,7 +107,7 @@ impl<R: Recorder> ExactRun<'_, R> {
         while last < self.moving.members.len() && rests(last) {
             last += 1;
         }
-        let holds = |mut nodes: Range<usize>| nodes.any(|node| self.moving.members[node].is_wall());
+        let holds = |mut nodes: Range<usize>| nodes.any(|node| self.moving.members[node].is_still());
         holds(first..left + 1) && holds(left + 1..last + 1)
     }
 
@@ -189,6 +190,8 @@ impl<R: Recorder> ExactRun<'_, R> {
     /// Expands the bodies that have landed. This is most of the cost when a long row comes to rest.
     pub(super) fn expand_landed(&mut self, time: f64) -> Result<(), RunError> {
         self.agenda.guard.look(time, self.agenda.spent())?;
+        // With other pairs at rest, a floor that begins to slide may have an acceleration.
+        self.moving.members.iter_mut().for_each(Member::hurry);
         for first in 0..self.moving.bodies.len() {
             if self.touching.groups.body_of[first] == first && self.moving.landed[first] {
                 self.agenda.guard.wait(time)?;

@@ -6,6 +6,7 @@
 //! known.
 
 use crate::exact::contact::{Join, PairState};
+use crate::exact::friction;
 use crate::exact::groups::{Block, Group, Lighter, Side};
 use crate::exact::links::LinkState;
 use crate::exact::member::Member;
@@ -55,9 +56,14 @@ pub(super) fn expand(
                 hold(tie, members, contacts, p, n);
             }
             for node in nodes {
-                follow(&mut members[*node], p, n);
+                let member = &mut members[*node];
+                if member.stands(n) {
+                    member.acceleration[n] = 0.0;
+                }
+                follow(member, p, n);
             }
         }
+        friction::hold(nodes, members, contacts, incidence, p, n);
     }
 }
 
@@ -96,7 +102,7 @@ fn move_freely(nodes: &[usize], members: &mut [Member], contacts: &[PairState], 
     };
     for &node in nodes {
         let ground = members[node].ground.coefficient(n, p);
-        members[node].acceleration[n] = if members[node].is_wall() {
+        members[node].acceleration[n] = if members[node].is_still() {
             0.0
         } else {
             let force = pushed(node, false) - pushed(node, true);
@@ -125,20 +131,23 @@ fn hold(tie: &Tie, members: &mut [Member], contacts: &mut [PairState], p: usize,
             member.acceleration[n] += member.inverse_mass * (part * force);
         }
     }
+    for pair in &tie.pairs {
+        friction::press(&contacts[*pair], members, n);
+    }
 }
 
 /// Coefficient `n` of the acceleration that members at rest against each other share under a net outer force, each over its ground.
 fn accelerate(members: &mut [Member], block: &Block, force: f64, p: usize, n: usize) {
     let nodes = block.first..=block.last;
     let shared = match &members[nodes.clone()] {
-        [alone] if alone.is_wall() => alone.ground.coefficient(n, p),
+        [alone] if alone.stands(n) => alone.ground.coefficient(n, p),
         [alone] => {
             let own = own_force(members, block.first, n);
             alone.inverse_mass * (force - own)
         }
         several => {
-            if let Some(wall) = several.iter().find(|member| member.is_wall()) {
-                wall.ground.coefficient(n, p)
+            if let Some(still) = several.iter().find(|member| member.stands(n)) {
+                still.ground.coefficient(n, p)
             } else {
                 let sum: f64 = nodes.clone().map(|node| own_force(members, node, n)).sum();
                 let mass: f64 = several.iter().map(|member| member.mass).sum();
@@ -163,6 +172,7 @@ fn resting_forces(members: &[Member], contacts: &mut [PairState], block: &Block,
             Lighter::Right(need) => right + need,
         };
     });
+    friction::share_between(members, contacts, block, p, n);
 }
 
 /// Largest length of a piece for which the last coefficients are below rounding, on every branch of its members.

@@ -51,6 +51,7 @@ impl Moving<'_> {
         for hit in hits {
             for (&node, before) in hit.nodes.iter().zip(&hit.before) {
                 let jumped = (self.members[node].state.velocity - before).abs() > 0.0;
+                self.members[node].collide(jumped);
                 if jumped {
                     self.linking.at(node).iter().for_each(|at| self.links[at.pair].jump());
                 }
@@ -121,6 +122,7 @@ impl<R: Recorder> ExactRun<'_, R> {
             return Err(self.touching.closed_in(pair, time));
         }
         loop {
+            self.release(&hits);
             for hit in &mut hits {
                 self.give_impulses(hit, time)?;
             }

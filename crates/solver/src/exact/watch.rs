@@ -40,11 +40,18 @@ pub(super) enum Event {
     Grip(usize),
     /// A pair parts.
     Part(usize),
+    /// The friction that holds a node has an extremum.
+    PeakOfFriction(usize),
     /// Something changes in a link.
     Link(usize, Change),
 }
 
 impl Event {
+    /// Whether a floor that sticks lets go.
+    pub(super) fn lets_go(&self, members: &[Member]) -> bool {
+        matches!(self, Self::Yield(node, _) if members[*node].stick.is_some())
+    }
+
     /// Whether the event concerns pounding forces only: fading, a change of sign or an extremum.
     pub(super) fn is_of_forces(&self) -> bool {
         matches!(self, Self::Fade(_) | Self::Balance(_) | Self::Extremum(_) | Self::Peak(_))
@@ -179,6 +186,7 @@ impl<R: Recorder> ExactRun<'_, R> {
                 watch.change_of(len, false, |n| member.velocity[n], Event::Turn(node));
             }
             watch_columns(watch, node, member, len);
+            member.watch_friction(watch, node, len);
             if self.touching.joined_at(node).nth(1).is_some() {
                 let pushed = |n: usize, on_left: bool| self.touching.pushed(node, on_left, |contact| contact.force[n]).unwrap_or(0.0);
                 let net = |n: usize| pushed(n, false) - pushed(n, true);
@@ -230,11 +238,17 @@ impl<R: Recorder> ExactRun<'_, R> {
             Event::Cross(_) | Event::Fall | Event::Link(..) => {}
             Event::Yield(node, branch) => {
                 let member = &mut self.moving.members[node];
+                member.let_go();
                 member.go_on(branch);
                 member.line = LoadingLine::Shifted;
             }
             Event::Balance(node) => self.moving.members[node].balanced = true,
             Event::Extremum(node) => self.moving.members[node].peaked = true,
+            Event::PeakOfFriction(node) => {
+                if let Some(stick) = &mut self.moving.members[node].stick {
+                    stick.peaked = true;
+                }
+            }
             Event::Peak(pair) => self.touching.contacts[pair].peaked = true,
             Event::Fade(pair) => {
                 let contact = &mut self.touching.contacts[pair];
@@ -282,7 +296,7 @@ fn watch_columns(watch: &mut Watch, node: usize, member: &Member, len: usize) {
     }
     if let Some(bend) = &member.bend {
         watch.change_of(len, false, |n| bend.force[n], Event::Cross(node));
-    } else if member.branch == Branch::Elastic && member.limit.is_finite() {
+    } else if member.branch == Branch::Elastic && member.limit.is_finite() && member.stick.is_none() {
         let drift = member.drift();
         let excess = |sign: f64| {
             move |n: usize| {

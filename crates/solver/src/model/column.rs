@@ -74,6 +74,8 @@ pub enum Knee {
     Sharp,
     /// Smoothly; see [`BoucWen`](crate::BoucWen).
     Smooth(Smoothness),
+    /// Without any elastic drift before; see [`Sliding`](crate::Sliding). Then a is 1, and f = k d + h with |h| ≤ `f_y`.
+    Rigid,
 }
 
 /// Shape of a smooth knee: dz/dd = 1 − |z k/`f_y`|ⁿ (γ + β sgn(z ḋ)), γ = 1 − β.

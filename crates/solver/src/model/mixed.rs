@@ -1,6 +1,6 @@
 //! Columns of rows in which some storeys yield at a sharp knee and others smoothly.
 
-use crate::{Bent, Bilinear, BoucWen, Hysteresis, Hysteretic, Response, RestoringForce};
+use crate::{Bent, Bilinear, BoucWen, Hysteresis, Hysteretic, Response, RestoringForce, Sliding};
 
 /// Columns that yield at a sharp knee, smoothly, or never, with a common memory.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -9,6 +9,8 @@ pub enum Mixed {
     Sharp(Bilinear),
     /// Columns that yield smoothly.
     Smooth(BoucWen),
+    /// Columns that stick and slide.
+    Sliding(Sliding),
 }
 
 impl RestoringForce for Mixed {
@@ -24,6 +26,11 @@ impl RestoringForce for Mixed {
         match self {
             Self::Sharp(column) => sharp(displacement, column.respond(displacement, memory.elastic)),
             Self::Smooth(column) => column.respond(displacement, memory),
+            Self::Sliding(column) => Response {
+                force: column.respond(displacement, ()).force,
+                tangent: column.stiffness,
+                memory,
+            },
         }
     }
 
@@ -31,6 +38,7 @@ impl RestoringForce for Mixed {
         match self {
             Self::Sharp(column) => sharp(displacement, column.loaded(displacement)),
             Self::Smooth(column) => column.loaded(displacement),
+            Self::Sliding(_) => self.respond(displacement, self.untouched()),
         }
     }
 }
@@ -54,6 +62,7 @@ impl Hysteretic for Mixed {
         match self {
             Self::Sharp(column) => column.hysteresis(),
             Self::Smooth(column) => column.hysteresis(),
+            Self::Sliding(column) => column.hysteresis(),
         }
     }
 }

@@ -20,4 +20,5 @@ pub(crate) mod profile;
 pub(crate) mod relation;
 pub(crate) mod row;
 pub(crate) mod sampling;
+pub(crate) mod sliding;
 pub(crate) mod travel;

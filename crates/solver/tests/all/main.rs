@@ -33,6 +33,7 @@ mod refusals;
 mod relations;
 mod rests;
 mod silent_faults;
+mod sliding;
 mod slow_touches;
 mod storeys;
 mod storeys_books;

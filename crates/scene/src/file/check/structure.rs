@@ -4,7 +4,7 @@ use pounding_text::Refused;
 use std::fmt::{self, Display};
 
 use super::{FINITE, NOT_NEGATIVE, POSITIVE, named, require};
-use crate::{Building, Capacities, Columns, DampedStiffness, Damping, Scene, Sdof, Structure};
+use crate::{Building, Capacities, Columns, DampedStiffness, Damping, Method, Scene, Sdof, Structure};
 
 /// A structure, or a storey of it, whose fields have names.
 #[derive(Debug, Clone, Copy)]
@@ -125,6 +125,28 @@ pub(super) fn check_tangent_damping(scene: &Scene) -> Result<(), Refused> {
     Ok(())
 }
 
+/// Refuses friction that sticks under a method that does not take it.
+pub(super) fn check_friction(scene: &Scene) -> Result<(), Refused> {
+    let sticks = |structure: &Structure| match structure {
+        Structure::Building(building) => building.storeys.iter().any(|one| one.columns.friction_n.is_some()),
+        Structure::Sdof(_) | Structure::Wall => false,
+    };
+    let takes = !matches!(scene.method, Method::Accuracy(_)) && scene.method.integrator().takes_friction();
+    match scene.structures.iter().position(sticks) {
+        Some(index) if !takes => {
+            let place = format!("structures[{index}].building.storeys[0].isolator.friction_pendulum.yield_displacement_m");
+            let found = Refused::at(place).found(format!(
+                "0, under the method {}, which cannot let isolators stick",
+                scene.method.name()
+            ));
+            Err(found
+                .allowed("a number > 0, or the exact method")
+                .help("leave `method` out: the exact method is the default"))
+        }
+        Some(_) | None => Ok(()),
+    }
+}
+
 const ABOVE_ISOLATORS: &str = "a ratio, or rayleigh with alpha_per_s = 0: the damping of the building above its isolators";
 
 /// Refuses damping that would give isolators dampers that nobody built.
@@ -210,6 +232,9 @@ fn check_yielding(columns: &Columns, place: FieldPlace) -> Result<(), Refused> {
         let allowed = "a number >= 0 and < 1";
         let valid = (0.0..1.0).contains(&ratio);
         require(valid, place.field("hardening_ratio"), ratio, allowed)?;
+    }
+    if let Some(friction) = columns.friction_n {
+        require(friction > 0.0, place.field("friction_n"), friction, POSITIVE)?;
     }
     if let Some(smooth) = columns.bouc_wen {
         let valid = (1..=20).contains(&smooth.exponent);

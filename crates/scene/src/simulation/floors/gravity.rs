@@ -33,7 +33,7 @@ impl StoreyProperties {
             stiffness_n_per_m: left,
             yield_force_n: columns.yield_force_n.map(|force| force * left / columns.stiffness_n_per_m),
             hardening_ratio: columns.yield_force_n.map(|_| after / left),
-            bouc_wen: columns.bouc_wen,
+            ..columns
         }
     }
 }

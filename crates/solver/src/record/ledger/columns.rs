@@ -63,6 +63,11 @@ impl LedgerColumns {
     pub(super) fn flow(&self, span: &Span<'_>, drifts: [Motion; 2]) -> f64 {
         match self.knee {
             Knee::Sharp => self.flow_at_limit(span, drifts),
+            // It has no elastic part. While it sticks, it does not move.
+            Knee::Rigid => {
+                let (moved, [_, last]) = self.ends(span, drifts);
+                last * moved
+            }
             Knee::Smooth(_) => match span.path {
                 // Only the ends of a step are known.
                 Path::Cubic(_) => {
@@ -159,7 +164,7 @@ impl LedgerColumns {
             (Knee::Smooth(smoothness), _) if smoothness.unloading < 0.5 => f64::INFINITY,
             // The force at which the columns slip is between those at the ends; near zero its sign is unknown.
             (Knee::Smooth(_), Path::Cubic(_)) => 0.5 * ((last - first) * self.slip(span, drifts)).abs(),
-            (Knee::Smooth(_), Path::Series(_) | Path::Flight(_)) | (Knee::Sharp, _) => 0.0,
+            (Knee::Smooth(_), Path::Series(_) | Path::Flight(_)) | (Knee::Sharp | Knee::Rigid, _) => 0.0,
         };
         let exact = self.lasting <= 0.0 && span.below.is_none() && self.knee == Knee::Sharp;
         if exact {
@@ -168,7 +173,8 @@ impl LedgerColumns {
         let drifts = drifts.map(|drift| drift.displacement.abs());
         let floor = span.start.displacement.abs() + span.end.displacement.abs();
         let reach = drifts[0] + drifts[1] + floor;
-        let force = first.abs().max(last.abs()) * (self.stiffness / self.yielding);
+        let inelastic = if self.yielding > 0.0 { self.stiffness / self.yielding } else { 1.0 };
+        let force = first.abs().max(last.abs()) * inelastic;
         bend + OPERATIONS * f64::EPSILON * force * reach
     }
 }
