@@ -96,6 +96,7 @@ fn sentences(prepared: &Simulation, mut both: [(&str, &RunResult); 2]) -> [Strin
                 prepared.scene().words().building
             ),
             (true, _) => format!("{said} Worst here: {worst}."),
+            (false, 0) if !worst.is_empty() => format!("{said} Worst in either direction: {worst}."),
             (false, _) => said,
         }
     };
@@ -202,6 +203,9 @@ fn touch_sentence(prepared: &Simulation, result: &RunResult) -> String {
     };
     let at = match pairs {
         1 => String::new(),
+        _ if prepared.floors().facing().iter().any(|one| one.column.is_some()) => {
+            format!(", at {} of {pairs} places", touching(prepared, result))
+        }
         _ => format!(", at {} of {pairs} pairs of floors", touching(prepared, result)),
     };
     format!("floors touch {times}{at}, {how}{unwatched}")

@@ -91,7 +91,7 @@ impl LeftOutKind {
         const NO_ACCELERATION: &str = "only accelerations shake a row";
         match self {
             Self::Unreadable | Self::Refused => ["", "", ""],
-            Self::Folder => ["folder", "folders", "give each as a folder of its own"],
+            Self::Folder => ["folder", "folders", "give each as a folder of its own, or --sub-folders"],
             Self::NoFile => ["pipe or device", "pipes or devices", "only files are read"],
             Self::Zeros => ["record of zeros", "records of zeros", "they shake nothing"],
             Self::Velocity => ["velocity", "velocities", NO_ACCELERATION],

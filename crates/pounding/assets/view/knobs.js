@@ -69,12 +69,12 @@ export class Knobs {
     const exact = element("input", {
       type: "text", inputmode: "decimal", class: "exact", "aria-label": `${label.textContent}${unit}`, size: 7,
       onchange: () => {
-        const text = exact.value.trim();
+        const text = exact.value.replace(unit.trim() || " ", "").trim();
         const number = text === beyond ? null : Number((Number(text.replace("\u2212", "-").replace(",", ".")) / factor).toPrecision(12));
         // 1,800 may be 1.8 or 1800.
         const isClear = text !== "" && !/,\d{3}$/.test(text);
         const runs = number === null || (isClear && inside(number) === number);
-        exact.setCustomValidity(runs ? "" : `${text}: a number from ${words(least)} to ${words(most)}, with a point`);
+        exact.setCustomValidity(runs ? "" : `${text}: allowed is ${words(least)} to ${words(most)}${beyond ? `, or ${beyond}` : ""}`);
         if (!exact.reportValidity()) exact.value = words(current).replace(unit, "");
         else this.turned(knob.id, number);
       },

@@ -58,7 +58,7 @@ fn errors(errors: &Errors) -> String {
         Errors::Measured(errors, _) => match errors.largest(QuantityGroup::All) {
             (largest, _) if largest <= 0.0 => "no error".into(),
             (largest, of) if largest.is_finite() => format!("largest error {} ({of})", percent(largest)),
-            (_, of) => format!("another {of} than the exact run"),
+            (_, of) => format!("not the {of} of the exact run"),
         },
     }
 }

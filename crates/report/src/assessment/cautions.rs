@@ -204,7 +204,10 @@ impl AssessmentReport {
             ));
         }
         if self.is_unscaled() {
-            said.push("the records are not scaled: the answer is one for their earthquakes, not for a site; set one with the options scale and target".into());
+            said.push(
+                "the records are not scaled: the answer is one for their earthquakes, not for a site; set one with --scale or --target"
+                    .into(),
+            );
         }
         said
     }

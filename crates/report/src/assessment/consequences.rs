@@ -190,7 +190,12 @@ impl AssessmentReport {
 
     /// Floors whose acceleration grows.
     fn worse_accelerations(&self) -> Option<String> {
-        let changed = self.changed(|_, one| Some(&one.acceleration), |ratio| ratio > FloorAssessment::WORSE, true)?;
+        // The range that is printed decides: the stiffness of contact is not known.
+        let changed = self.changed(
+            |_, one| Some(&one.acceleration_range[1]),
+            |ratio| ratio > FloorAssessment::WORSE,
+            true,
+        )?;
         let one = self.assessment.floors[changed.floor].as_ref()?;
         let [low, high] = one.acceleration_range.each_ref().map(|of| two_digits(of.upper()));
         let of = if low == high {

@@ -65,6 +65,8 @@ pub struct FolderOfMotions {
     pub units_apart: Option<String>,
     /// Files, motions and events, counted.
     pub counts: String,
+    /// What tables beside the records say of them, in sentences.
+    pub of_tables: Vec<String>,
     /// Files that shake nothing, for programs.
     pub left_out: Value,
     /// Sentences about failures, files that are left out, and declarations.

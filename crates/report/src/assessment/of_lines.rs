@@ -13,6 +13,7 @@ impl FolderOfMotions {
             missing: suite.says_missing(failed.len()),
             units_apart: suite.says_units_apart(),
             counts: suite.counts(),
+            of_tables: suite.of_tables.clone(),
             left_out: suite.left_out_json(),
             remarks: failed.into_iter().chain(suite.remarks(details)).collect(),
         }

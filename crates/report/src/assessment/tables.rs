@@ -153,7 +153,7 @@ impl AssessmentReport {
             n => n,
         };
         let heading = match counted {
-            n if n >= Distribution::ENOUGH => "When they touch, median / 84 %; one number is the largest".into(),
+            n if n >= Distribution::ENOUGH => "When they touch, median / 84 % (one: the largest)".into(),
             1 => format!("When they touch, the only {}", self.sample()),
             n => format!("When they touch, largest of {n} {}s", self.sample()),
         };

@@ -56,6 +56,7 @@ impl AssessmentReport {
         };
         let runs = self.assessment.runs;
         let mut said = vec![format!("{of}; both directions each{neighbours}: {runs} runs")];
+        said.extend(self.folder.of_tables.iter().cloned());
         said.push(format!("scaled {}", self.scaling.to));
         if let Some(fit) = &self.fit {
             let (share, period) = fit.least();

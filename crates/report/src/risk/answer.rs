@@ -7,7 +7,7 @@ use pounding_text::{Answer, Cell, Grid, Table, Unit, Where, digits, percent, two
 use serde_json::{Value, json};
 
 use super::cautions::{says_misfit, says_shares, shares_differ};
-use super::{Demand, RiskReport};
+use super::{Demand, RiskReport, counted, three};
 use crate::SCHEMA_VERSION;
 use crate::folder::said_briefly;
 
@@ -65,14 +65,21 @@ impl<'a> RiskReport<'a> {
                 .chain(of_shares)
                 .collect();
         };
-        let theta = bounds(risk.bounds(|one| one.median), three);
+        let theta = risk.bounds(|one| one.median);
+        let unbounded = if theta.is_none() && risk.drawn.is_some() {
+            let n = risk.stripes.all.first().map_or(0, Stripe::n);
+            format!("; {n} events give it no bounds")
+        } else {
+            String::new()
+        };
+        let theta = bounds(theta, three);
         let beta = bounds(risk.bounds(|one| one.dispersion), three);
         let across = match (state, state.limit(&self.runs.gaps)) {
             (State::Touch(_), Some(gap)) => format!(" across {} mm", digits(gap * 1e3)),
             _ => String::new(),
         };
         let mut said = vec![format!(
-            "half of the motions {}{across} at {}{} g{theta}; β = {}{beta}",
+            "half of the motions {}{across} at {}{} g{theta}; β = {}{beta}{unbounded}",
             state.words(),
             self.measure.map_or_else(String::new, |measure| format!("{measure} = ")),
             three(fragility.median),
@@ -427,16 +434,6 @@ fn frequencies<'a, Of: 'a>(table: Table<'a, (Of, &'a Risk)>, differ: bool) -> Ta
         return table;
     }
     table.shown_in("1/year", "λ of shares", |row| shares_differ(row.1).map(|one| three(one.rate)))
-}
-
-/// How many events of a stripe exceed the state.
-pub(super) fn counted(stripe: &Stripe) -> String {
-    format!("{} of {}", digits((stripe.exceeding() * 100.0).round() / 100.0), stripe.n())
-}
-
-/// A number with three significant digits, without zeros at its end: fragilities are known to one or two.
-pub(super) fn three(value: f64) -> String {
-    digits(format!("{value:.2e}").parse().unwrap_or(value))
 }
 
 /// Bounds in parentheses, after a blank; empty if there are none.

@@ -5,8 +5,7 @@ use pounding_risk::{AnnualFrequency, Risk};
 use pounding_scene::{Error, Excess, Implausible, Simulation};
 use pounding_text::{digits, percent};
 
-use super::RiskReport;
-use super::answer::{counted, three};
+use super::{RiskReport, counted, three};
 
 /// A run of a row at that intensity, judged.
 #[derive(Debug, Clone)]

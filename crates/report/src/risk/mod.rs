@@ -7,9 +7,9 @@ mod figures;
 use std::collections::BTreeMap;
 
 use pounding_assess::{IntensityMeasure, Suite};
-use pounding_risk::{HazardCurve, Risk, State, StripeRuns};
+use pounding_risk::{HazardCurve, Risk, State, Stripe, StripeRuns};
 use pounding_scene::{Scene, parallel};
-use pounding_text::{Form, Refused};
+use pounding_text::{Form, Refused, digits};
 
 use crate::figures::Illustration;
 
@@ -125,3 +125,13 @@ const TEXT: &str = "ida.txt";
 const RUNS: &str = "ida.csv";
 pub(crate) const JSON: &str = "ida.json";
 const STRIPES: &str = "stripes.csv";
+
+/// How many events of a stripe exceed the state.
+fn counted(stripe: &Stripe) -> String {
+    format!("{} of {}", digits((stripe.exceeding() * 100.0).round() / 100.0), stripe.n())
+}
+
+/// A number with three significant digits, without zeros at its end: fragilities are known to one or two.
+fn three(value: f64) -> String {
+    digits(format!("{value:.2e}").parse().unwrap_or(value))
+}

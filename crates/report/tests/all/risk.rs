@@ -83,7 +83,7 @@ fn issue_a_fragility_that_misses_the_shares_is_named() {
         "{text}"
     );
     // λ of the shares by hand: 0 to 1/2 from 0.08 to 0.12 g, 1/2 to 1 from 0.8 to 1.2 g; each line gives 1/2 (H − H')/(2 ln 1.5).
-    let line = |a: f64, b: f64| 0.5 * 1e-4 * (a.powi(-2) - b.powi(-2)) / (2.0 * libm::log(b / a));
+    let line = |a: f64, b: f64| 0.5 * 1e-4 * (1.0 / (a * a) - 1.0 / (b * b)) / (2.0 * libm::log(b / a));
     let wanted = line(0.08, 0.12) + line(0.8, 1.2);
     let found = json["states"][0]["annual_frequency_of_shares_per_year"].as_f64().expect("a number");
     assert!((found / wanted - 1.0).abs() < 1e-12, "{found} {wanted}");

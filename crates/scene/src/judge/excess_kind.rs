@@ -91,11 +91,11 @@ impl ExcessKind {
             Self::Drift => ", above 2.5 %",
             Self::Ductility => ", above 6",
             Self::MassDamping => ", above 1 %",
+            Self::ColumnHit => ", which no capacity judges",
             Self::AtColumn
             | Self::BesideColumn
             | Self::AtFoot
             | Self::LeftOut
-            | Self::ColumnHit
             | Self::Collapse
             | Self::Stability
             | Self::Shear

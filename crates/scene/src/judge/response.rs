@@ -48,6 +48,11 @@ impl Excess {
         if limit > 0.0 { self.found / limit } else { self.found }
     }
 
+    /// Whether a limit belongs to it: a column without a capacity has none.
+    pub fn is_judged(&self) -> bool {
+        self.kind != ExcessKind::ColumnHit || self.capacity.is_some()
+    }
+
     /// Whether an answer about gaps depends on it: by its kind, or because no building bears a base shear of its whole weight.
     pub fn is_caution(&self) -> bool {
         self.kind.is_caution() || (self.kind == ExcessKind::BaseShear && self.found >= 1.0)
@@ -88,6 +93,9 @@ impl Excess {
         })
     }
 }
+
+/// Share of a response without a capacity to compare with that may bring a building down: above all that are judged.
+const UNJUDGED: f64 = 1e6;
 
 /// A response of a storey, whether or not it exceeds its limit.
 type Judged = (ExcessKind, f64, Option<f64>);
@@ -159,7 +167,7 @@ impl Simulation {
         for told in [true, false] {
             let n = hit.iter().filter(|one| one.capacity.is_some() == told).count();
             for one in hit.iter_mut().filter(|one| n > 1 && one.capacity.is_some() == told) {
-                one.name = format!("{}, the hardest of {n} that are hit", one.name);
+                one.name = format!("{} (the hardest of {n})", one.name);
             }
         }
         hit
@@ -190,11 +198,12 @@ impl Simulation {
         let all = floors.flat_map(|floor| self.judged(result, floor).into_iter().map(move |one| (floor, one)));
         let all = all.filter(|(_, (kind, ..))| kind.strains());
         let all = all.map(|(floor, one)| self.excess(floor, one));
-        let columns = self.columns_hit(result).into_iter().filter(|one| one.capacity.is_some());
-        let strains = all
-            .chain(columns)
-            .map(|one| (one.share(), one))
-            .filter(|(share, _)| share.is_finite());
+        let strains = all.map(|one| (one.share(), one)).filter(|(share, _)| share.is_finite());
+        let columns = self.columns_hit(result).into_iter().map(|one| {
+            let share = if one.is_judged() { one.share() } else { UNJUDGED + one.found };
+            (share, one)
+        });
+        let strains = strains.chain(columns);
         strains.max_by(|one, other| one.0.total_cmp(&other.0))
     }
 

@@ -117,7 +117,7 @@ fn extreme_words_of_isolators_that_are_refused() {
         "stiffness_n_per_m = 1e6, isolator_damping_n_s_per_m = 1e5",
         "isolator.spring.stiffness_n_per_m = 1e6",
     ];
-    insta::assert_snapshot!(all.map(refused).join("\n"), @"
+    insta::assert_snapshot!(all.map(refused).join("\n"), @r#"
     scene.toml, line 6, column 84: structures[0].building.storeys[0].isolator.friction_pendulum.yield_displacement_m: found -1, allowed a finite number >= 0
     scene.toml, line 6, column 45: structures[0].building.storeys[0].friction_n: found it without isolators, allowed is it beside isolation_layer = true; isolator.friction_pendulum sets it
     scene "isolated": structures[0].building.storeys[0].friction_n: found -100000, allowed a finite number > 0
@@ -125,7 +125,7 @@ fn extreme_words_of_isolators_that_are_refused() {
     scene.toml, line 6, column 20: structures[0].building.storeys[0].isolator: found isolators beside a stiffness or a yield point of the storey, allowed is one of both; isolators have their own stiffness
     scene.toml, line 6, column 45: structures[0].building.storeys[0].isolator_damping_n_s_per_m: found it without an isolator, allowed is it beside isolator, or beside isolation_layer = true
     scene.toml, line 6, column 29: structures[0].building.storeys[0].isolator: found `spring`, allowed are `lead_rubber`, `friction_pendulum`, `rubber`
-    ");
+    "#);
 }
 
 /// Rayleigh damping leaves the isolators out: they keep their own, and the building above has its ratio in its own first mode.

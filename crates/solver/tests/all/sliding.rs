@@ -1,4 +1,4 @@
-//! Storeys that stick and slide under friction (D_y = 0), by closed forms, and by models that must agree.
+//! Storeys that stick and slide under friction (`D_y` = 0), by closed forms, and by models that must agree.
 
 use pounding_contact::{ContactLaw, LinearSpring, Stereomechanical};
 use pounding_solver::{
@@ -60,18 +60,29 @@ fn on(below: usize) -> Floor {
     }
 }
 
-/// Spans by node: start and end, displacement and velocity at the end, restoring force at both ends.
+/// A span of a node.
+struct SeenSpan {
+    node: usize,
+    /// Start and end.
+    times: [f64; 2],
+    /// Displacement and velocity at the end.
+    end: [f64; 2],
+}
+
 #[derive(Default)]
 struct Seen {
-    spans: Vec<(usize, [f64; 2], [f64; 2], [f64; 2])>,
+    spans: Vec<SeenSpan>,
     impacts: usize,
 }
 
 impl Recorder for Seen {
     fn span(&mut self, span: &Span<'_>) {
         let end = [span.end.displacement, span.end.velocity];
-        let forces = [span.start.restoring_force, span.end.restoring_force];
-        self.spans.push((span.structure, [span.start_time, span.end_time], end, forces));
+        self.spans.push(SeenSpan {
+            node: span.structure,
+            times: [span.start_time, span.end_time],
+            end,
+        });
     }
     fn impact(&mut self, _: &Impact) {
         self.impacts += 1;
@@ -83,7 +94,12 @@ impl Seen {
     fn stops(&self, node: usize) -> Vec<[f64; 2]> {
         let mut moves = false;
         let mut stops = Vec::new();
-        for (_, [_, time], [displacement, velocity], _) in self.spans.iter().filter(|span| span.0 == node) {
+        for SeenSpan {
+            times: [_, time],
+            end: [displacement, velocity],
+            ..
+        } in self.spans.iter().filter(|span| span.node == node)
+        {
             if moves && *velocity == 0.0 {
                 stops.push([*time, *displacement]);
             }
@@ -186,13 +202,13 @@ fn reference_a_block_slides_under_a_ramp() {
     let Run { seen, last, peaks, .. } = run(&row, (end, &ramp), 4.0);
     let limit = friction * GRAVITY;
     let since = end - limit / jerk;
-    let (u, v) = (jerk * since.powi(3) / 6.0, jerk * since * since / 2.0);
+    let (u, v) = (jerk * since * since * since / 6.0, jerk * since * since / 2.0);
     let stops = seen.stops(0);
     assert_eq!(stops.len(), 1, "{stops:?}");
     close("stops at", stops[0][0], end + v / limit, 1e-14);
     close("stops after", last.of(0).displacement, u + v * v / (2.0 * limit), 1e-14);
     close("friction", peaks.of(0).restoring_force.value, limit * 2e5, 1e-9);
-    let begins = seen.spans.iter().find(|span| span.2[1] != 0.0).expect("it slides").1[0];
+    let begins = seen.spans.iter().find(|span| span.end[1] != 0.0).expect("it slides").times[0];
     close("slides from", begins, limit / jerk, 1e-14);
 }
 
@@ -223,7 +239,7 @@ fn reference_an_impact_makes_it_slide() {
         }
         let row = Row::new(nodes, vec![Pair::of_floors(0, 1, 0.02, law)]).expect("a row");
         let Run { seen, last, .. } = run(&row, (1.0, &[0.0; 2]), 0.2);
-        let own = if sign > 0.0 { 1 } else { 0 };
+        let own = usize::from(sign > 0.0);
         assert_eq!(seen.impacts, 1);
         let (v, limit) = (1.5 * 0.75 * 0.8, 0.2 * GRAVITY);
         let since = 0.2 - 0.02 / 0.8;
@@ -267,9 +283,9 @@ fn reference_friction_holds_a_neighbour_that_presses() {
         let from = friction * own * GRAVITY / (own + other) / jerk;
         let since: f64 = 1.5 - from;
         for node in [0, 1] {
-            close("way", sign * last.of(node).displacement, jerk * since.powi(3) / 6.0, 1e-13);
+            close("way", sign * last.of(node).displacement, jerk * since * since * since / 6.0, 1e-13);
         }
-        let begins = seen.spans.iter().find(|span| span.2[1] != 0.0).expect("it slides").1[0];
+        let begins = seen.spans.iter().find(|span| span.end[1] != 0.0).expect("it slides").times[0];
         close("slides from", begins, from, 1e-14);
     }
 }
@@ -287,11 +303,11 @@ fn reference_a_block_pressed_against_a_wall() {
         // From the wall it slides once 6 (t − 2.5) = µg, to the left.
         let from: f64 = 2.5 + limit / 6.0;
         let ramp = 3.0 - from;
-        let (u, v) = (6.0 * ramp.powi(3) / 6.0, 6.0 * ramp * ramp / 2.0);
+        let (u, v) = (6.0 * ramp * ramp * ramp / 6.0, 6.0 * ramp * ramp / 2.0);
         let wanted = u + v + 0.5 * (3.0 - limit);
         close("way", 0.01 - last.of(0).displacement, wanted, 1e-12);
-        let begins = seen.spans.iter().find(|span| span.1[0] > 2.0 && span.2[1] != 0.0);
-        close("slides from", begins.expect("it slides").1[0], from, 1e-13);
+        let begins = seen.spans.iter().find(|span| span.times[0] > 2.0 && span.end[1] != 0.0);
+        close("slides from", begins.expect("it slides").times[0], from, 1e-13);
     }
 }
 

@@ -137,7 +137,7 @@ fn strain(both: &BothWays<'_>) -> String {
     let strains = both.runs().filter_map(|run| both.scene.prepared.strain(run));
     let worst = strains.max_by(|one, other| one.0.total_cmp(&other.0));
     worst.map_or(NONE.into(), |(share, worst)| {
-        let share = if share < f64::MAX {
+        let share = if share < f64::MAX && worst.is_judged() {
             format!("{} ", percent(share))
         } else {
             String::new()

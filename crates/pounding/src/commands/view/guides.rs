@@ -113,7 +113,7 @@ pub(super) const ALL: [Guide; 8] = [
             "A viscous damper joins each of the four lower floors of two towers. At 0.1 MN·s/m the roof of the quick one gets as hard a blow as \
              without dampers.",
             "Drag the damping coefficient. Which one halves the hardest blow? Which one keeps the towers apart? More is not better: at \
-             20 MN·s/m the dampers tie the towers together, and the slow one drifts nearly as far as without them.",
+             20 MN·s/m the dampers tie the lower floors together, and the storey above them drifts nearly as far as any did without dampers.",
         ],
         scene: include_str!("../../../assets/view/dampers.toml"),
         knobs: &["link.0", "gap.0"],
