@@ -131,7 +131,8 @@ impl AssessedRun {
             stiffnesses = others;
         }
         for one in &variants {
-            excesses.extend(exact.all_excesses(one).into_iter().filter(|one| one.kind.strains()));
+            let judged = |one: &Excess| one.kind.strains() || one.kind == ExcessKind::BaseShear;
+            excesses.extend(exact.all_excesses(one).into_iter().filter(judged));
         }
         let mut judged = excesses.iter().chain(&alone.excesses);
         let collapsed = judged.any(|one| one.kind == ExcessKind::Collapse);

@@ -163,6 +163,9 @@ struct Sides {
 }
 
 /// Keeps the level of a gap that needs most, and the largest width at columns.
+/// Largest closing \[m\] of floors that move alike.
+const ALIKE: f64 = 1e-3;
+
 fn widen(widest: &mut BTreeMap<usize, Separation>, one: Separation) {
     match widest.entry(one.left) {
         Entry::Vacant(entry) => {
@@ -172,8 +175,13 @@ fn widen(widest: &mut BTreeMap<usize, Separation>, one: Separation) {
             let so_far = entry.get_mut();
             let both = [so_far.beside_columns, one.beside_columns].into_iter().flatten();
             let beside_columns = both.reduce(f64::max);
-            if one.required > so_far.required {
-                *so_far = one;
+            // Where no level needs a millimetre, rules belong to the one that moves most.
+            let moves = |one: &Separation| one.peaks[0] + one.peaks[1];
+            let alike = one.required.max(so_far.required) < ALIKE;
+            let is_wider = one.required > so_far.required;
+            if is_wider && !alike || alike && moves(&one) > moves(so_far) {
+                let required = one.required.max(so_far.required);
+                *so_far = Separation { required, ..one };
             }
             so_far.beside_columns = beside_columns;
         }

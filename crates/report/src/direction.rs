@@ -20,6 +20,9 @@ pub struct BothDirections {
     pub other: Option<RunResult>,
 }
 
+/// Share of a limit that stands for a deck off its seat; a collapse is above it.
+const UNSEATED: f64 = 1e12;
+
 /// Two responses count as equal if they differ by less than this part of their size \[–\].
 const SAME: f64 = 1e-9;
 
@@ -73,7 +76,12 @@ impl BothDirections {
 fn sentences(prepared: &Simulation, mut both: [(&str, &RunResult); 2]) -> [String; 2] {
     let strain = |result: &RunResult| {
         let strain = prepared.strain(result);
-        strain.map_or((0.0, String::new()), |(share, worst)| (share, worst.brief()))
+        let (share, worst) = strain.map_or((0.0, String::new()), |(share, worst)| (share, worst.brief()));
+        // Nothing that a building suffers is as bad as a deck that falls.
+        match says_unseated(prepared, result) {
+            Some(_) if share < UNSEATED => (UNSEATED + share, "a deck leaves its seat".into()),
+            _ => (share, worst),
+        }
     };
     let harm = |result: &RunResult| {
         let blow = Blow::all(result).into_iter().next();

@@ -151,7 +151,7 @@ pub(crate) fn says_moat(floors: &Floors) -> Option<String> {
     (!isolated.is_empty()).then(|| {
         format!(
             "Beside {} only the sum of both peaks is given: rules for joints between buildings do not size the moat of a building on \
-             isolators, and whether these bear their displacement is not judged here. GB 50011-2010, 12.2.7, asks for 1.2 times the displacement in the rare earthquake, and at least 200 mm.",
+             isolators, and whether these bear their displacement is judged by `displacement_capacity_m` alone. GB 50011-2010, 12.2.7, asks for 1.2 times the displacement in the rare earthquake, and at least 200 mm.",
             isolated.join(" and ")
         )
     })

@@ -35,7 +35,7 @@ const ALL: [LeftOut; 9] = [
         says: "Gravity on leaning storeys (P-Δ): a stability coefficient is above 0.1, so that drifts are larger than they stand here.",
     },
     LeftOut {
-        applies: |found| found.exceeds(&[ExcessKind::Ductility, ExcessKind::Drift, ExcessKind::Displacement]),
+        applies: |found| found.exceeds_columns(),
         says: "Loss of strength: columns carry their yield force at any drift, and drifts here are beyond those that columns survive.",
     },
     LeftOut {
@@ -50,8 +50,8 @@ const ALL: [LeftOut; 9] = [
     },
     LeftOut {
         applies: |found| found.is_isolated(),
-        says: "Isolators: whether they bear their displacement, stiffen at its end or lift off. A moat as wide as their displacement is no proof \
-               that they do.",
+        says: "Isolators that tear, stiffen at the end of their displacement or lift off. A moat as wide as their displacement is no proof that \
+               they bear it (displacement_capacity_m).",
     },
     LeftOut {
         applies: |found| found.touch && found.has_wall(),
@@ -71,6 +71,14 @@ const ALL: [LeftOut; 9] = [
 impl Found<'_> {
     fn exceeds(&self, kinds: &[ExcessKind]) -> bool {
         self.excesses.iter().any(|one| kinds.contains(&one.kind))
+    }
+
+    /// Whether columns drift too far; isolators have a capacity of displacement.
+    fn exceeds_columns(&self) -> bool {
+        let of_columns = |one: &Excess| one.kind != ExcessKind::Displacement || one.capacity.is_none();
+        let kinds = [ExcessKind::Ductility, ExcessKind::Drift, ExcessKind::Displacement];
+        let mut all = self.excesses.iter();
+        all.any(|one| kinds.contains(&one.kind) && of_columns(one))
     }
 
     fn is_isolated(&self) -> bool {

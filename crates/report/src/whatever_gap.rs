@@ -36,7 +36,23 @@ pub(crate) fn says_over_capacity(over: &[Excess], words: RowWords, widths: bool)
         1 => format!("the {building} exceeds its capacity"),
         _ => format!("{building}s exceed their capacity"),
     };
-    let over: Vec<String> = over.iter().map(Excess::brief).collect();
+    let brief = |one: &Excess| {
+        let often = one.often.map_or_else(String::new, |Often { n, of, sample }| {
+            let s = if of == 1 { "" } else { "s" };
+            let any = if words.storey == "storey" {
+                ", counting all its storeys"
+            } else {
+                ""
+            };
+            format!("; so in {n} of {of} {sample}{s}{any}")
+        });
+        let worst = Excess {
+            often: None,
+            ..one.clone()
+        };
+        format!("{}{often}", worst.brief())
+    };
+    let over: Vec<String> = over.iter().map(brief).collect();
     let below = if widths {
         " The widths below keep floors apart, and do no more."
     } else {

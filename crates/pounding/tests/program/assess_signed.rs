@@ -23,7 +23,7 @@ fn issue_a_building_that_exceeds_its_capacity_alone_is_no_case_of_enough() {
     let work = workplace("signed_alone", &towers(0.008, 0.25));
     let wide = flat(&assess(&work, &["--scale", "pga=0.2g"]));
     let first = "Answer Whatever the gap, the building exceeds its capacity even alone (Tower 8, storey 1: drift of 0.87 %, above its capacity of \
-                 0.80 %, in 2 of 2 events). The widths below keep floors apart, and do no more.";
+                 0.80 %; so in 2 of 2 events, counting all its storeys). The widths below keep floors apart, and do no more.";
     assert!(wide.starts_with(first), "{wide}");
     assert!(wide.contains("250 mm keeps Tower 8 and Tower 5 apart: "), "{wide}");
     assert!(!wide.contains(" is enough") && !wide.contains("Caution: Tower 8"), "{wide}");

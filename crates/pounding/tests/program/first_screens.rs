@@ -285,3 +285,85 @@ fn issue_a_seat_that_is_left_is_told_of_every_record() {
         "{assess}"
     );
 }
+
+/// Twins need no gap at any level, and a code took the displacements of the lowest one: 70 mm in place of 167 mm.
+#[test]
+fn issue_rules_for_twins_take_the_level_that_moves_most() {
+    let tower = |name: &str| {
+        format!(
+            r#"{{ building = {{ name = "{name}", period_s = 0.6, damping.ratio = 0.05, storeys = [{{ mass_kg = 2e5, height_m = 3, repeat = 5 }}] }} }}"#
+        )
+    };
+    let twins = format!(
+        "name = \"twins\"\nrecord.file = \"records/good.csv\"\nstructures = [{}, {}]\n\
+         contacts = [{{ gap_m = 0.02, law.hertz.impact_stiffness_n_per_m1_5 = 2e9 }}]\n",
+        tower("left"),
+        tower("right")
+    );
+    let work = workplace("rules_for_twins", &twins, false);
+    let facts = |asked: &[&str]| -> serde_json::Value {
+        let ended = pounding(&work, asked);
+        serde_json::from_str(&ended.stdout).expect("JSON")
+    };
+    let gap = facts(&["gap", "scene.toml", "--records", "records", "--json"]);
+    let one = &gap["motions"][0]["gaps"][0];
+    assert_eq!(one["level"], 5, "{one}");
+    let run = facts(&["run", "scene.toml", "--json"]);
+    let mut floors = run["structures"].as_array().expect("floors").iter();
+    let roof = floors.find(|one| one["name"] == "left, floor 5").expect("a roof");
+    let roof = roof["peak_displacement_m"].as_f64().expect("a number").abs();
+    let sum = one["abs_m"].as_f64().expect("a number");
+    assert!((sum / (2.0 * roof) - 1.0).abs() < 1e-9, "{sum} {roof}");
+}
+
+/// "Is enough" was said of a moat in which isolators move farther than they bear.
+#[test]
+fn issue_a_moat_is_not_enough_for_isolators_past_their_capacity() {
+    let moat = |gap: f64| {
+        format!(
+            r#"
+name = "moat"
+record.file = "records/good.csv"
+structures = [{{ wall = {{}} }}, {{ building = {{ name = "ward", damping.ratio = 0.02, storeys = [
+  {{ mass_kg = 4e5, height_m = 1, isolator.rubber.stiffness_n_per_m = 1e7, displacement_capacity_m = 0.01 }},
+  {{ mass_kg = 3e5, stiffness_n_per_m = 6e8, height_m = 3 }},
+] }} }}]
+contacts = [{{ gap_m = {gap}, law.hertz.impact_stiffness_n_per_m1_5 = 2e9 }}]
+"#
+        )
+    };
+    let work = workplace("moat_past_capacity", &moat(3.0), false);
+    for gap in [3.0, 0.02] {
+        fs::write(work.join("scene.toml"), moat(gap)).expect("it can be written");
+        let said = under_records(&work, "assess");
+        let first = at(&said, "Isolators move farther than they bear (ward, storey 1");
+        assert!(at(&said, "The widths below keep floors apart, and do no more") > first, "{said}");
+        assert!(!said.contains("is enough") && !said.contains("be enough"), "{said}");
+        assert!(!said.contains("Loss of strength"), "{said}");
+    }
+}
+
+/// "25 % of its limit" was said of a building whose column a slab smashes, since no capacity was given.
+#[test]
+fn issue_a_column_without_a_capacity_leads_the_answer() {
+    let storeys = |height: f64| format!("storeys = [{{ mass_kg = 2e5, height_m = {height}, repeat = 3 }}]");
+    let slabs = CAPACITY
+        .replace("storeys = [{ mass_kg = 2e5, height_m = 3, repeat = 2 }]", &storeys(3.0))
+        .replace(
+            "storeys = [{ mass_kg = 2e5, height_m = 3, repeat = 2, drift_capacity_ratio = 0.004 }]",
+            &storeys(3.05),
+        );
+    let work = workplace("column_leads", &slabs, false);
+    let said = flat(&pounding(&work, &["run", "scene.toml"]));
+    assert!(
+        said.contains("hit by a slab, with a shear force of ") && said.contains(", which no capacity judges)"),
+        "{said}"
+    );
+    assert!(
+        said.starts_with("Unusual structures[1]: found slabs without a depth, whose tops are up to 50.00 mm from"),
+        "{said}"
+    );
+    fs::write(work.join("other.toml"), slabs.replace("gap_m = 0.05", "gap_m = 0.04")).expect("it can be written");
+    let compared = flat(&pounding(&work, &["compare", "scene.toml", "other.toml"]));
+    assert!(compared.contains("part of its limit (hit by a"), "{compared}");
+}

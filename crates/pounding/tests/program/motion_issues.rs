@@ -252,7 +252,7 @@ fn issue_a_folder_is_read_as_others_read_it() {
     assert_snapshot!(said.join("\n"), @r"
     Records   8 files, 3 used and 5 left out: 3 motions of 2 events
               lost.csv: cannot be read: No such file or directory (os error 2)
-              1 folder, give each as a folder of its own: more
+              1 folder, give each as a folder of its own, or --sub-folders: more
               1 copy, each record counts once: the same.csv (of q_E.csv)
               1 vertical component, by the name of the file; rename a horizontal
               one: q_U.csv

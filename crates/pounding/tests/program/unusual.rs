@@ -173,7 +173,7 @@ fn issue_enough_is_said_with_its_cautions() {
     let said = flat(&pounding(&work, &scaled));
     let [caution, answer, margin] = [
         "Caution: b: drift of ",
-        " mm is enough between a and b: they touch in none of 4 runs",
+        " mm keeps a and b apart: they touch in none of 4 runs",
         "It is 1.01 times as wide, less than a standard deviation of the widths (",
     ]
     .map(|words| said.find(words).unwrap_or_else(|| panic!("{words}: {said}")));

@@ -451,13 +451,13 @@ fn reference_the_guides_of_the_slip_and_of_dampers_show_what_they_say() {
     // A damper halves the hardest blow, a larger one prevents it, and one that is too large ties the towers together.
     let damped = |coefficient: f64| at("dampers", json!({"link.0": coefficient}));
     let hardest = |run: &Value| run["summary"]["pairs"][3]["largest"]["impulse_n_s"].as_f64();
-    let blows = [1e2, 1e5, 8e5].map(|coefficient| hardest(&damped(coefficient)).expect("a blow"));
+    let blows = [1e3, 1e5, 8e5].map(|coefficient| hardest(&damped(coefficient)).expect("a blow"));
     assert!(
         blows[1] > 0.99 * blows[0] && (0.45..0.55).contains(&(blows[2] / blows[0])),
         "{blows:?}"
     );
     assert_eq!(collisions(&damped(2e6)), 0);
-    let [bare, tied] = [1e2, 2e7].map(|coefficient| peak(&damped(coefficient), 0));
+    let [bare, tied] = [1e3, 2e7].map(|coefficient| peak(&damped(coefficient), 0));
     assert!(tied > 0.9 * bare, "{tied} and {bare}");
     let run = damped(1e5);
     assert_eq!(run["player"]["links"].as_array().map(Vec::len), Some(4));

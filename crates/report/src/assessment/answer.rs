@@ -18,7 +18,7 @@ impl AssessmentReport {
     pub fn answer(&self) -> Answer<'_> {
         let unusual = self.unusual().iter().map(ToString::to_string).collect();
         // What no gap helps against is the bold sentence of the page.
-        let is_over = !self.over_capacity().is_empty() || self.off_seats().is_some();
+        let is_over = !self.over_capacity().is_empty() || self.isolators_over().is_some() || self.off_seats().is_some();
         let verdict = Manner::Verdict {
             before: if is_over { 0 } else { self.before().len() },
             touch: is_over || !self.hit().is_empty(),

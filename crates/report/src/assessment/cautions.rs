@@ -41,6 +41,7 @@ impl AssessmentReport {
         let widths = self.assessment.believed_alone() > 0;
         let first = says_over_capacity(&self.over_capacity(), self.scene.words(), widths)
             .into_iter()
+            .chain(self.says_isolators(widths))
             .chain(self.off_seats())
             .chain(self.raised());
         first.chain(self.disbelieved()).chain(self.cautions()).collect()
@@ -128,8 +129,8 @@ impl AssessmentReport {
 
     /// On what the answer rests and should not.
     fn cautions(&self) -> Option<String> {
-        // The first sentence says what exceeds its capacity even alone.
-        let over = self.over_capacity();
+        // The first sentences say what exceeds its capacity even alone.
+        let over: Vec<Excess> = self.over_capacity().into_iter().chain(self.isolators_over()).collect();
         let is_said = |one: &Excess| {
             over.iter()
                 .any(|other| (other.kind, other.floor) == (one.kind, one.floor) && other.found >= one.found)
@@ -210,6 +211,31 @@ impl AssessmentReport {
             );
         }
         said
+    }
+
+    /// The isolators that move farthest beyond their capacity.
+    pub(super) fn isolators_over(&self) -> Option<Excess> {
+        let over = |one: &Excess| one.kind == ExcessKind::Displacement && one.capacity.is_some();
+        let all = self.excesses().into_iter().filter(over);
+        all.max_by(|one, other| one.share().total_cmp(&other.share()))
+    }
+
+    /// Isolators that move farther than they bear, in a sentence; `widths` tells whether widths of gaps follow.
+    fn says_isolators(&self, widths: bool) -> Option<String> {
+        let below = if widths {
+            " The widths below keep floors apart, and do no more: a wall that stops them first hits the building."
+        } else {
+            ""
+        };
+        let over = self.isolators_over()?;
+        Some(format!("Isolators move farther than they bear ({}).{below}", over.brief()))
+    }
+
+    /// Number of samples in which a building alone exceeds a general limit of drift or ductility.
+    pub(super) fn strained_alone(&self) -> usize {
+        let runs = runs_of_cases(&self.motions);
+        let strained = runs.iter().filter(|one| !one.run.excesses_alone.is_empty());
+        strained.map(RunOfCase::case).collect::<BTreeSet<Case>>().len()
     }
 
     /// The decks that leave their seats at the gaps of the scene, in a sentence.

@@ -227,18 +227,21 @@ impl AssessmentReport {
         counted(count, [&format!("{storey} {does}"), &format!("{storey}s {do_so}")])
     }
 
-    /// "up to 3.00 times as far as alone (the largest of 4 events)".
+    /// "up to 3.00 times as far as alone with the contact of the scene (the largest of 4 events)".
     fn times(&self, ratio: &Distribution) -> String {
         let upper = two_decimals(ratio.upper());
         if ratio.has_quantiles() {
             format!(
-                "up to {upper} times as far as alone in 84 % of {} {}s, {} times in the median",
+                "up to {upper} times as far as alone with the contact of the scene in 84 % of {} {}s, {} times in the median",
                 ratio.sorted().len(),
                 self.sample(),
                 two_decimals(ratio.median())
             )
         } else {
-            format!("up to {upper} times as far as alone ({})", self.largest_of(ratio))
+            format!(
+                "up to {upper} times as far as alone with the contact of the scene ({})",
+                self.largest_of(ratio)
+            )
         }
     }
 }

@@ -58,9 +58,13 @@ impl AssessmentReport {
         Some(asked(rule, self.sample()).0)
     }
 
-    /// Whether a width may be called enough or proposed: no building exceeds a capacity or would hardly stand alone.
+    /// Whether a width may be called enough: alone no building exceeds a capacity or would hardly stand, no isolator moves farther than it
+    /// bears, and no general limit is exceeded in half of the samples or more.
     pub(super) fn says_enough(&self) -> bool {
-        self.over_capacity().is_empty() && self.assessment.disbelieved_alone == 0
+        self.over_capacity().is_empty()
+            && self.assessment.disbelieved_alone == 0
+            && self.isolators_over().is_none()
+            && 2 * self.strained_alone() < self.assessment.cases
     }
 
     /// Width of the seat in a gap \[m\], and in how many samples some floor leaves it; `None` without a seat.
@@ -190,7 +194,7 @@ impl AssessmentReport {
                 millimetres_up(needed)
             );
             return match self.unfounded().or_else(|| self.says_not_counted()) {
-                None if !self.over_capacity().is_empty() => format!(
+                None if !self.says_enough() => format!(
                     "{width} mm keeps{floors} {left} and {right} apart: {apart}.{}",
                     self.margin(own, gap)
                 ),
@@ -240,7 +244,7 @@ impl AssessmentReport {
 
     /// The width that is enough, in a sentence: "130 mm would be enough for all 11 events."
     fn would_do(&self, gap: &GapAssessment, enough: &str) -> String {
-        let enough = if !self.over_capacity().is_empty() {
+        let enough = if !self.says_enough() {
             "would keep floors apart"
         } else if self.seat(gap).is_some() {
             "would keep the decks apart"
@@ -369,16 +373,7 @@ impl AssessmentReport {
             0 => self.assessment.believed_alone(),
             _ => self.assessment.events,
         };
-        let like = if n == 1 {
-            "of the kind of this one".into()
-        } else {
-            format!("of the kind of these {n}")
-        };
         let together = if widths.len() > 1 { ", together" } else { "" };
-        let beside = match neighbours {
-            0 => String::new(),
-            n => format!(" beside one of the {n} neighbours that were drawn; others may need more"),
-        };
         let code = self.code.map(|code| code.words().edition);
         let asks = wanting
             .iter()
@@ -388,22 +383,7 @@ impl AssessmentReport {
             None if self.assessment.disbelieved_alone > 0 => format!("the largest needed in {}, rounded up", self.fallen().others()),
             None => "the largest needed, rounded up".into(),
         };
-        // The events that count are no sample if others were left out because a building would not stand, or if most belong elsewhere.
-        let chance = if self.assessment.disbelieved_alone > 0 || 2 * self.far().len() > self.records() {
-            String::new()
-        } else {
-            // The share that exceeds the largest of n is below 1 − 0.05^(1/n) with 95 %.
-            let at_most = 1.0 - libm::pow(0.05, 1.0 / n as f64);
-            let at_most = if n < Distribution::ENOUGH {
-                String::new()
-            } else {
-                format!("; with so few events it may be one in {}", two_digits(1.0 / at_most))
-            };
-            format!(
-                " If the next earthquake is {like}, it needs more in about one case of {}{at_most}{beside}.",
-                n + 1
-            )
-        };
+        let chance = self.chance(n, asks);
         let is_moat = |gap: &&GapAssessment| [gap.left, gap.left + 1].into_iter().any(|one| self.floors.is_isolated(one));
         let moat = if wanting.iter().any(is_moat) {
             " Beside isolators that is their displacement under these motions: codes size a moat for their largest earthquake, with torsion, and \
@@ -417,6 +397,39 @@ impl AssessmentReport {
             " to keep floors apart, for no more"
         };
         format!("Proposed{only}{together}: {} ({why}).{moat}{chance}", widths.join(", "))
+    }
+
+    /// The chance that the next earthquake needs more than these `n` samples did, in a sentence; `asks` tells whether a code asks for more.
+    fn chance(&self, n: usize, asks: bool) -> String {
+        // The events that count are no sample if others were left out because a building would not stand, or if most belong elsewhere.
+        if self.assessment.disbelieved_alone > 0 || 2 * self.far().len() > self.records() {
+            return String::new();
+        }
+        let like = if n == 1 {
+            "of the kind of this one".into()
+        } else {
+            format!("of the kind of these {n}")
+        };
+        let beside = match self.neighbours().len() {
+            0 => String::new(),
+            n => format!(" beside one of the {n} neighbours that were drawn; others may need more"),
+        };
+        // The share that exceeds the largest of n is below 1 − 0.05^(1/n) with 95 %.
+        let at_most = 1.0 - libm::pow(0.05, 1.0 / n as f64);
+        let at_most = if n < Distribution::ENOUGH {
+            String::new()
+        } else {
+            format!("; with so few events it may be one in {}", two_digits(1.0 / at_most))
+        };
+        let more = if asks {
+            "more than they did (not more than the code asks)"
+        } else {
+            "more"
+        };
+        format!(
+            " If the next earthquake is {like}, it needs {more} in about one case of {}{at_most}{beside}.",
+            n + 1
+        )
     }
 
     /// How much wider a gap is than the widest needed, if that is less than the standard deviation of the logarithms of the widths. Then

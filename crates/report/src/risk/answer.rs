@@ -273,6 +273,15 @@ impl<'a> RiskReport<'a> {
     /// Faults that the answer may have.
     fn warnings(&self) -> Vec<String> {
         let mut said = self.cautions.clone();
+        let is_compliant = self.scene.contacts.iter().flatten().any(|one| one.law.is_compliant());
+        let of_contact = |state: &State| !matches!(state, State::Touch(_) | State::Collapse);
+        if is_compliant && self.states.iter().any(|(state, _)| of_contact(state)) {
+            said.push(
+                "states other than touching hold for the contact stiffness of the scene, which nobody knows: over 0.1 to 10 times of it \
+                 frequencies of forces and of drifts after a blow may differ by tens of times, and the bounds do not know it; run the scene with both"
+                    .into(),
+            );
+        }
         let failed: Vec<_> = self.runs.failed().collect();
         if let Some((motion, intensity, reason)) = failed.first() {
             let n = failed.len();

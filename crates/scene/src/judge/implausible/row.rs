@@ -3,11 +3,13 @@
 use pounding_contact::{ContactLaw, FreeImpact, FreePair, reduced_mass};
 
 use super::Doubts;
-use crate::{Contact, FloorPair, Simulation};
+use crate::{ColumnBeside, Contact, FloorPair, Simulation};
 use pounding_text::{digits, short};
 
 /// Widest usual gap \[m\]: the moat of an isolated building, or the seismic joint of tall ones.
 const WIDEST: f64 = 2.0;
+/// Thinnest usual slab \[m\].
+const THINNEST: f64 = 0.1;
 /// Longest usual collision at that speed \[s\].
 const LONGEST: f64 = 0.25;
 /// Longest usual delay between neighbours \[s\]: a hundred metres at an apparent velocity of 100 m/s.
@@ -32,6 +34,7 @@ pub(super) fn doubt(prepared: &Simulation, doubts: &mut Doubts) {
             doubt_the_law(prepared, facing, contact, &mut lasted, doubts);
         }
     }
+    doubt_the_slabs(prepared, doubts);
     let arrivals = scene.arrivals_s.as_deref().unwrap_or_default();
     for (index, two) in arrivals.windows(2).enumerate() {
         let apart = (two[1] - two[0]).abs();
@@ -42,6 +45,38 @@ pub(super) fn doubt(prepared: &Simulation, doubts: &mut Doubts) {
             "up to 1 s between neighbours: their distance over the apparent velocity, some hundred metres per second",
         );
     }
+}
+
+/// Notes slabs without a depth beside the slabs of a neighbour at nearly the same height: they would meet, and no column would be hit.
+fn doubt_the_slabs(prepared: &Simulation, doubts: &mut Doubts) {
+    let floors = prepared.floors();
+    let is_thin = |floor: usize| {
+        let made_of = floors.all()[floor].made_of;
+        made_of.is_some_and(|made| made.capacities.slab_depth_m.is_none())
+    };
+    let columns = floors
+        .beside_all_columns()
+        .iter()
+        .filter(|one| !one.is_slab() && !one.is_at_ground());
+    // Below the floor at the head of the column, whose slab would reach down; or above the one at its foot, by its own slab.
+    let apart = |one: &ColumnBeside| {
+        let head = is_thin(one.above).then_some((1.0 - one.along) * one.height_m);
+        let foot = (one.below.is_some() && is_thin(one.floor)).then_some(one.along * one.height_m);
+        let nearest = head.into_iter().chain(foot).reduce(f64::min)?;
+        Some((nearest, one.floor)).filter(|(nearest, _)| *nearest < THINNEST * (1.0 - 1e-9))
+    };
+    let Some((apart, floor)) = columns.filter_map(apart).max_by(|one, other| one.0.total_cmp(&other.0)) else {
+        return;
+    };
+    doubts.unless(
+        false,
+        format!("structures[{}]", floors.all()[floor].structure),
+        format!(
+            "slabs without a depth, whose tops are up to {} mm from those of the neighbour, so that they hit columns",
+            short(1e3 * apart)
+        ),
+        "a depth of 100 mm and more, by which they meet slabs: give slab_depth_m",
+    );
 }
 
 /// Notes a compliant law so soft that collisions last as long as vibrations.
