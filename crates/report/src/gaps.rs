@@ -9,7 +9,7 @@ use serde_json::{Value, json};
 
 use crate::folder::{MotionRow, OfFolder, UnderMotion, factor};
 use crate::rules::{RuledGap, notes, sources};
-use crate::whatever_gap::{ALIKE, Fallen, over_capacity, says_beyond, says_over_capacity};
+use crate::whatever_gap::{ALIKE, Fallen, NO_SEATS, isolators_over, over_capacity, says_beyond, says_isolators, says_over_capacity};
 
 /// The widths that the gaps of a row need under one motion in one direction.
 #[derive(Debug)]
@@ -64,9 +64,13 @@ impl UnderMotion for GapsUnderMotion {
     fn cautions(folder: &OfFolder<'_, Self>) -> Vec<String> {
         let counts = |found: &GapsUnderMotion| found.disbelieved.is_none();
         let widths = folder.found().any(|(_, found)| counts(found));
-        says_over_capacity(&over_capacity_of(folder), folder.scene.words(), widths)
-            .into_iter()
-            .collect()
+        let over = says_over_capacity(&over_capacity_of(folder), folder.scene.words(), widths);
+        let isolators = isolators_of(folder).map(|over| says_isolators(&over, widths));
+        let seats = folder.scene.is_bridge().then(|| {
+            let of_run = "Decks may leave their seats: `pounding run` and `pounding assess` tell at the gaps of the scene, and at wider gaps they move farther.";
+            if folder.scene.has_seats() { of_run } else { NO_SEATS }
+        });
+        over.into_iter().chain(isolators).chain(seats.map(String::from)).collect()
     }
 
     fn warnings(scene: &Scene) -> Vec<String> {
@@ -90,6 +94,23 @@ fn over_capacity_of(folder: &OfFolder<'_, GapsUnderMotion>) -> Vec<Excess> {
     // Structures of a row that ran are sound.
     let floors = Floors::of(&folder.scene.apart()).ok();
     floors.map_or_else(Vec::new, |floors| over_capacity(&floors, &all, events(folder.found()), EVENT))
+}
+
+/// The isolators that move farthest beyond their capacity.
+fn isolators_of(folder: &OfFolder<'_, GapsUnderMotion>) -> Option<Excess> {
+    isolators_over(Excess::gathered(folder.found().map(|(_, found)| found.excesses()), "run"))
+}
+
+/// Whether a width may be called enough: no structure exceeds a capacity, no isolators theirs, no deck may leave a seat, and no general limit is
+/// exceeded in half of the events or more.
+fn may_be_enough(folder: &OfFolder<'_, GapsUnderMotion>) -> bool {
+    let strained = folder
+        .found()
+        .filter(|(_, found)| found.excesses.iter().any(|one| one.kind.strains()));
+    over_capacity_of(folder).is_empty()
+        && isolators_of(folder).is_none()
+        && !folder.scene.is_bridge()
+        && 2 * events(strained) < events(folder.found())
 }
 
 /// The word for a sample.
@@ -295,7 +316,7 @@ fn of_gap<'a>(folder: &OfFolder<'a, GapsUnderMotion>, answer: Answer<'a>, gap: &
         .map_or_else(String::new, |own| format!(", {} mm in the scene", digits(own * 1e3)));
     let told = || says_columns(scene, gap.left);
     let mut said: Vec<String> = gap.not_counted.iter().cloned().collect();
-    let is_over = !over_capacity_of(folder).is_empty();
+    let is_over = !may_be_enough(folder);
     said.extend(gap.all.as_ref().into_iter().flat_map(|all| {
         let enough = says_enough(all, &gap.fallen, is_over);
         std::iter::once(enough).chain(result(all, gap.own, told(), shown))

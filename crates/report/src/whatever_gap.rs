@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use pounding_assess::{Case, says_believed};
-use pounding_scene::{Excess, Floors, Often, RowWords};
+use pounding_scene::{Excess, ExcessKind, Floors, Often, RowWords};
 
 /// Largest closing of neighbours that move alike \[m\].
 pub(crate) const ALIKE: f64 = 1e-3;
@@ -64,6 +64,27 @@ pub(crate) fn says_over_capacity(over: &[Excess], words: RowWords, widths: bool)
         over.join("; ")
     ))
 }
+
+/// Isolators that move farther than they bear, in a sentence; `widths` tells whether widths of gaps follow.
+pub(crate) fn says_isolators(over: &Excess, widths: bool) -> String {
+    let below = if widths {
+        " The widths below keep floors apart, and do no more: a wall that stops them first hits the building."
+    } else {
+        ""
+    };
+    format!("Isolators move farther than they bear ({}).{below}", over.brief())
+}
+
+/// The isolators that move farthest beyond their capacity, of gathered responses.
+pub(crate) fn isolators_over(all: Vec<Excess>) -> Option<Excess> {
+    let over = |one: &Excess| one.kind == ExcessKind::Displacement && one.capacity.is_some();
+    let all = all.into_iter().filter(over);
+    all.max_by(|one, other| one.share().total_cmp(&other.share()))
+}
+
+/// Says of a bridge without seats that nobody judged them.
+pub(crate) const NO_SEATS: &str =
+    "No seats are told (seat_width_m): whether decks stay on theirs is not judged, and at wider gaps they move farther.";
 
 /// A response beyond belief and its limit: "a, storey 2: drift of 6.1 %, above 5 %, the most that is believed".
 pub(crate) fn says_beyond(worst: &Excess) -> String {

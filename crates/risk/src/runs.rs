@@ -97,7 +97,7 @@ impl StripeRuns {
 
     /// Counts the events that touch if every gap has this width \[m\].
     pub fn stripes_with_gaps(&self, gap: f64) -> Stripes {
-        self.stripes(|numbers| Some(numbers.required.iter().any(|required| *required > gap)))
+        self.stripes(|numbers| Some(numbers.collapsed || numbers.required.iter().any(|required| *required > gap)))
     }
 
     /// For every motion, the intensities at which it reaches a state; `None` if it reaches it at none.

@@ -35,8 +35,12 @@ pub enum State {
 }
 
 impl State {
-    /// Whether a run reaches the state; gaps are those of the row \[m\]. `None` if the run lacks the number.
+    /// Whether a run reaches the state; gaps are those of the row \[m\]. `None` if the run lacks the number. A run that collapses reaches every
+    /// state: what would come after is worse, and shares that end below 1 would flatten the fragility where nothing collapses.
     pub fn is_reached(self, numbers: &RunNumbers, gaps: &[f64]) -> Option<bool> {
+        if numbers.collapsed {
+            return Some(true);
+        }
         match self {
             Self::Touch(gap) => {
                 let mut both = numbers.required.iter().zip(gaps).enumerate();

@@ -21,7 +21,7 @@ impl Scene {
     }
 
     /// Whether decks of a bridge stand in the row, by seats or restrainers.
-    pub(crate) fn is_bridge(&self) -> bool {
+    pub fn is_bridge(&self) -> bool {
         self.has_seats() || self.links.iter().any(|one| matches!(one.law, Law::Restrainer { .. }))
     }
 

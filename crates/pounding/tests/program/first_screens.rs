@@ -279,6 +279,11 @@ fn issue_a_seat_that_is_left_is_told_of_every_record() {
     fs::write(work.join("wide.toml"), seat.replace("seat_width_m = 0.002", "seat_width_m = 2")).expect("it can be written");
     let compared = flat(&pounding(&work, &["compare", "scene.toml", "wide.toml"]));
     assert!(compared.contains("leaves its seat b, at "), "{compared}");
+    let gap = under_records(&work, "gap");
+    assert!(
+        gap.starts_with("Answer Decks may leave their seats: ") && !gap.contains("are enough"),
+        "{gap}"
+    );
     let assess = under_records(&work, "assess");
     assert!(
         !assess.contains("of NBCC 2015 for buildings") && assess.contains("limits for storeys of buildings do not hold for a bridge"),
@@ -340,6 +345,15 @@ contacts = [{{ gap_m = {gap}, law.hertz.impact_stiffness_n_per_m1_5 = 2e9 }}]
         assert!(at(&said, "The widths below keep floors apart, and do no more") > first, "{said}");
         assert!(!said.contains("is enough") && !said.contains("be enough"), "{said}");
         assert!(!said.contains("Loss of strength"), "{said}");
+        let gap = under_records(&work, "gap");
+        assert!(
+            gap.starts_with("Answer Isolators move farther than they bear (ward, storey 1"),
+            "{gap}"
+        );
+        assert!(
+            gap.contains(" mm keep floors apart in both events") && !gap.contains("are enough"),
+            "{gap}"
+        );
     }
 }
 

@@ -8,7 +8,7 @@ use pounding_text::{digits, short, two_decimals, two_digits};
 
 use super::{AssessedMotion, AssessmentReport, runs_of_cases};
 use crate::folder::CONVERT;
-use crate::whatever_gap::{Fallen, over_capacity, says_beyond, says_over_capacity};
+use crate::whatever_gap::{Fallen, NO_SEATS, isolators_over, over_capacity, says_beyond, says_isolators, says_over_capacity};
 
 /// Where buildings meet.
 pub(super) const BESIDE: &str = "beside its neighbours";
@@ -41,8 +41,9 @@ impl AssessmentReport {
         let widths = self.assessment.believed_alone() > 0;
         let first = says_over_capacity(&self.over_capacity(), self.scene.words(), widths)
             .into_iter()
-            .chain(self.says_isolators(widths))
+            .chain(self.isolators_over().map(|over| says_isolators(&over, widths)))
             .chain(self.off_seats())
+            .chain((self.floors.is_bridge() && !self.scene.has_seats()).then(|| NO_SEATS.into()))
             .chain(self.raised());
         first.chain(self.disbelieved()).chain(self.cautions()).collect()
     }
@@ -215,20 +216,7 @@ impl AssessmentReport {
 
     /// The isolators that move farthest beyond their capacity.
     pub(super) fn isolators_over(&self) -> Option<Excess> {
-        let over = |one: &Excess| one.kind == ExcessKind::Displacement && one.capacity.is_some();
-        let all = self.excesses().into_iter().filter(over);
-        all.max_by(|one, other| one.share().total_cmp(&other.share()))
-    }
-
-    /// Isolators that move farther than they bear, in a sentence; `widths` tells whether widths of gaps follow.
-    fn says_isolators(&self, widths: bool) -> Option<String> {
-        let below = if widths {
-            " The widths below keep floors apart, and do no more: a wall that stops them first hits the building."
-        } else {
-            ""
-        };
-        let over = self.isolators_over()?;
-        Some(format!("Isolators move farther than they bear ({}).{below}", over.brief()))
+        isolators_over(self.excesses())
     }
 
     /// Number of samples in which a building alone exceeds a general limit of drift or ductility.

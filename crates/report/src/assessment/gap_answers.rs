@@ -80,10 +80,17 @@ impl AssessmentReport {
     fn says_seat(&self, gap: &GapAssessment) -> String {
         match self.seat(gap) {
             None => String::new(),
-            Some((width, 0)) => format!(
-                " The seat of {} mm is wide enough at the gap of the scene; at a wider gap decks move farther.",
-                millimetres(width)
-            ),
+            Some((width, 0)) => {
+                let wider = if gap.touching > 0 {
+                    "; at a wider gap decks move farther"
+                } else {
+                    ""
+                };
+                format!(
+                    " The seat of {} mm is wide enough at the gap of the scene{wider}.",
+                    millimetres(width)
+                )
+            }
             Some((width, n)) => format!(
                 " At the gap of the scene a deck leaves its seat of {} mm in {}: no wider gap helps, but longer seats or restrainers.",
                 millimetres(width),
@@ -194,7 +201,7 @@ impl AssessmentReport {
                 millimetres_up(needed)
             );
             return match self.unfounded().or_else(|| self.says_not_counted()) {
-                None if !self.says_enough() => format!(
+                None if !self.says_enough() || self.seat(gap).is_some_and(|(_, off)| off > 0) => format!(
                     "{width} mm keeps{floors} {left} and {right} apart: {apart}.{}",
                     self.margin(own, gap)
                 ),

@@ -295,8 +295,8 @@ impl<'a> RiskReport<'a> {
         match self.runs.n_collapsed() {
             0 => (),
             n => said.push(format!(
-                "{n} of {} runs end as a storey collapses: what they reach before counts, what they would reach after does not; the state \
-                 collapse counts them",
+                "{n} of {} runs end as a storey collapses, and count as reaching every state, as usual in incremental dynamic analysis; the state \
+                 collapse counts them alone",
                 self.runs.runs.len()
             )),
         }

@@ -230,10 +230,8 @@ impl Simulation {
         if let Some((ratio, capacity)) = ratio.zip(told.drift_capacity_ratio) {
             all.push((ExcessKind::Drift, ratio, Some(capacity)));
         } else if !falls && !one.is_isolation_layer() {
-            // Twice the limit for buildings bounds what is believed, also of a bridge.
-            let least = if floors.is_bridge() { 2.0 * ExcessKind::MOST_DRIFT } else { 0.0 };
-            let ratio = ratio.filter(|ratio| *ratio > least);
-            all.extend(ratio.map(|ratio| (ExcessKind::Drift, ratio, None)));
+            let of_storey = ratio.filter(|_| !floors.is_bridge());
+            all.extend(of_storey.map(|ratio| (ExcessKind::Drift, ratio, None)));
             all.extend(one.ductility(drift).map(|found| (ExcessKind::Ductility, found, None)));
         }
         if falls || one.is_isolation_layer() {

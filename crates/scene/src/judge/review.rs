@@ -248,7 +248,7 @@ impl Simulation {
             let contact = self.contact(pair);
             Some(Warning::Unseated {
                 contact,
-                names: self.names(pair),
+                names: self.floors().of_seat(pair),
                 width: contacts.get(contact)?.seat_width_m?,
                 time: outcome.widening(self, pair)?.unseated?,
             })

@@ -355,6 +355,16 @@ impl Floors {
         names
     }
 
+    /// Names of a pair with a seat: what the seat belongs to, and the deck on it, which is no wall.
+    pub fn of_seat(&self, pair: usize) -> [String; 2] {
+        let [left, right] = self.names(pair);
+        if self.all[self.facing[pair].right].is_wall() {
+            [right, left]
+        } else {
+            [left, right]
+        }
+    }
+
     /// Returns the same floors without any contact.
     pub(crate) fn apart(&self) -> Self {
         Self {

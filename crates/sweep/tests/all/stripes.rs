@@ -141,7 +141,7 @@ fn limit_the_same_bits_on_any_number_of_threads() {
     assert_eq!(on(1), on(3));
 }
 
-/// Runs that collapse count for what they reach until then, and as collapses.
+/// Runs that collapse reach every state: neighbours that touch no more once a building lies flattened the fragility of touching.
 #[test]
 fn limit_a_collapse_is_a_state_of_its_own() {
     let leaning = scene(&json!({"structures": [
@@ -157,15 +157,16 @@ fn limit_a_collapse_is_a_state_of_its_own() {
     let first = counted.all.first().expect("a stripe");
     let last = counted.all.last().expect("a stripe");
     assert!(first.exceeding() <= 0.0 && last.exceeding() > 0.0, "{counted:?}");
-    // What collapses drifts far.
-    let drifts = found.stripes_of(State::Drift(0.01));
-    assert!(
-        drifts
-            .all
-            .iter()
-            .zip(&counted.all)
-            .all(|(drift, fallen)| drift.exceeding() >= fallen.exceeding())
-    );
+    for state in [State::Touch(None), State::Drift(0.01)] {
+        let all = found.stripes_of(state).all;
+        assert!(
+            all.iter()
+                .zip(&counted.all)
+                .all(|(one, fallen)| one.exceeding() >= fallen.exceeding())
+        );
+    }
+    let wide = found.stripes_with_gaps(1e3).all;
+    assert_eq!(wide, counted.all, "across a gap that nothing closes only collapses count");
 }
 
 /// Motions of their own have events of their own at each intensity, and are not scaled.

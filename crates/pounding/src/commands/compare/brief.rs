@@ -128,8 +128,8 @@ fn unseated(both: &BothWays<'_>) -> Option<String> {
         times.filter_map(|(pair, time)| Some((time?, pair)))
     });
     let (time, pair) = all.min_by(|one, other| one.0.total_cmp(&other.0))?;
-    let [_, right] = prepared.floors().names(pair);
-    Some(format!("{right}, at {} s", short(time)))
+    let [_, deck] = prepared.floors().of_seat(pair);
+    Some(format!("{deck}, at {} s", short(time)))
 }
 
 /// The drift, ductility or force that is the largest part of its limit, and which it is.

@@ -193,10 +193,10 @@ fn result(runs: &Runs<'_>) -> Vec<String> {
     let collapsed = told("a storey collapses", collapsed.map(|(line, _)| line), finished);
     let off = |pair: usize| {
         let (_, first) = runs.found().next()?;
-        let one = &first.pairs[pair];
         let is_off = |run: &RunUnderMotion| run.pairs[pair].number(PairQuantity::UnseatedS).is_some();
         let lines = runs.found().filter(|(_, run)| is_off(run)).map(|(line, _)| line);
-        told(&format!("{} leaves its seat on {}", one.right, one.left), lines, finished)
+        let [support, deck] = first.floors.of_seat(pair);
+        told(&format!("{deck} leaves its seat on {support}"), lines, finished)
     };
     let n_pairs = runs.found().next().map_or(0, |(_, run)| run.pairs.len());
     let unseated = (0..n_pairs).filter_map(off);
