@@ -347,7 +347,7 @@ contacts = [{{ gap_m = {gap}, law.hertz.impact_stiffness_n_per_m1_5 = 2e9 }}]
         assert!(!said.contains("Loss of strength"), "{said}");
         let gap = under_records(&work, "gap");
         assert!(
-            gap.starts_with("Answer Isolators move farther than they bear (ward, storey 1"),
+            gap.contains("Answer Isolators move farther than they bear (ward, storey 1"),
             "{gap}"
         );
         assert!(
