@@ -116,6 +116,9 @@ impl Separation {
         }
     }
 
+    /// Largest closing \[m\] of neighbours that move alike.
+    pub const ALIKE: f64 = 1e-3;
+
     /// Whether a width \[m\] is less than the required width, by more than its uncertainty.
     pub fn asks_for_more(&self, width: f64) -> bool {
         width < self.required * (1.0 - LOOKED)
@@ -163,9 +166,6 @@ struct Sides {
 }
 
 /// Keeps the level of a gap that needs most, and the largest width at columns.
-/// Largest closing \[m\] of floors that move alike.
-const ALIKE: f64 = 1e-3;
-
 fn widen(widest: &mut BTreeMap<usize, Separation>, one: Separation) {
     match widest.entry(one.left) {
         Entry::Vacant(entry) => {
@@ -177,7 +177,7 @@ fn widen(widest: &mut BTreeMap<usize, Separation>, one: Separation) {
             let beside_columns = both.reduce(f64::max);
             // Where no level needs a millimetre, rules belong to the one that moves most.
             let moves = |one: &Separation| one.peaks[0] + one.peaks[1];
-            let alike = one.required.max(so_far.required) < ALIKE;
+            let alike = one.required.max(so_far.required) < Separation::ALIKE;
             let is_wider = one.required > so_far.required;
             if is_wider && !alike || alike && moves(&one) > moves(so_far) {
                 let required = one.required.max(so_far.required);

@@ -78,7 +78,7 @@ fn sentences(prepared: &Simulation, mut both: [(&str, &RunResult); 2]) -> [Strin
         let strain = prepared.strain(result);
         let (share, worst) = strain.map_or((0.0, String::new()), |(share, worst)| (share, worst.brief()));
         // Nothing that a building suffers is as bad as a deck that falls.
-        match says_unseated(prepared, result) {
+        match OffSeat::first(prepared, result) {
             Some(_) if share < UNSEATED => (UNSEATED + share, "a deck leaves its seat".into()),
             _ => (share, worst),
         }
@@ -160,30 +160,46 @@ fn touching(prepared: &Simulation, result: &RunResult) -> usize {
 /// Describes a run of a scene in a sentence: whether a storey collapses, how often floors touch, and how hard.
 pub fn run_sentence(prepared: &Simulation, result: &RunResult) -> String {
     let touches = touch_sentence(prepared, result);
-    let unseated = says_unseated(prepared, result);
-    let touches = unseated.map_or(touches.clone(), |unseated| format!("{unseated}; {touches}"));
+    let touches = match OffSeat::first(prepared, result) {
+        Some(off) => format!("{}; {touches}", off.says()),
+        None => touches,
+    };
     match prepared.says_collapse(result) {
         Some(collapse) => format!("{collapse}; until then {touches}"),
         None => touches,
     }
 }
 
-/// The first floor that leaves its seat, in words; `None` if none does.
-fn says_unseated(prepared: &Simulation, result: &RunResult) -> Option<String> {
-    let passed = prepared.passed(result).into_iter();
-    let unseated = passed.filter_map(|one| {
-        if let Warning::Unseated { names, width, time, .. } = one {
-            Some((time, width, names))
-        } else {
-            None
-        }
-    });
-    let (time, width, [left, right]) = unseated.min_by(|one, other| one.0.total_cmp(&other.0))?;
-    Some(format!(
-        "{right} leaves its seat of {} mm on {left} at {} s",
-        millimetres(width),
-        short(time)
-    ))
+/// The first deck of a run that leaves its seat.
+#[derive(Debug)]
+pub struct OffSeat {
+    /// Instant \[s\].
+    pub time: f64,
+    /// Width of the seat \[m\].
+    pub width: f64,
+    /// What the seat belongs to, and the deck on it.
+    pub names: [String; 2],
+}
+
+impl OffSeat {
+    /// Looks for it; `None` if none does.
+    pub fn first(prepared: &Simulation, result: &RunResult) -> Option<Self> {
+        let passed = prepared.passed(result).into_iter();
+        let off = passed.filter_map(|one| {
+            if let Warning::Unseated { names, width, time, .. } = one {
+                Some(Self { time, width, names })
+            } else {
+                None
+            }
+        });
+        off.min_by(|one, other| one.time.total_cmp(&other.time))
+    }
+
+    fn says(&self) -> String {
+        let [support, deck] = &self.names;
+        let (width, time) = (millimetres(self.width), short(self.time));
+        format!("{deck} leaves its seat of {width} mm on {support} at {time} s")
+    }
 }
 
 fn touch_sentence(prepared: &Simulation, result: &RunResult) -> String {

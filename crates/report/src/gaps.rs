@@ -9,7 +9,7 @@ use serde_json::{Value, json};
 
 use crate::folder::{MotionRow, OfFolder, UnderMotion, factor};
 use crate::rules::{RuledGap, notes, sources};
-use crate::whatever_gap::{ALIKE, Fallen, NO_SEATS, isolators_over, over_capacity, says_beyond, says_isolators, says_over_capacity};
+use crate::whatever_gap::{Fallen, NO_SEATS, Standing, isolators_over, over_capacity, says_beyond, says_isolators, says_over_capacity};
 
 /// The widths that the gaps of a row need under one motion in one direction.
 #[derive(Debug)]
@@ -101,16 +101,10 @@ fn isolators_of(folder: &OfFolder<'_, GapsUnderMotion>) -> Option<Excess> {
     isolators_over(Excess::gathered(folder.found().map(|(_, found)| found.excesses()), "run"))
 }
 
-/// Whether a width may be called enough: no structure exceeds a capacity, no isolators theirs, no deck may leave a seat, and no general limit is
-/// exceeded in half of the events or more.
-fn may_be_enough(folder: &OfFolder<'_, GapsUnderMotion>) -> bool {
-    let strained = folder
-        .found()
-        .filter(|(_, found)| found.excesses.iter().any(|one| one.kind.strains()));
-    over_capacity_of(folder).is_empty()
-        && isolators_of(folder).is_none()
-        && !folder.scene.is_bridge()
-        && 2 * events(strained) < events(folder.found())
+/// Number of events in which a structure exceeds a general limit.
+fn strained(folder: &OfFolder<'_, GapsUnderMotion>) -> usize {
+    let strains = |found: &GapsUnderMotion| found.excesses.iter().any(|one| one.kind.strains());
+    events(folder.found().filter(|(_, found)| strains(found)))
 }
 
 /// The word for a sample.
@@ -316,9 +310,16 @@ fn of_gap<'a>(folder: &OfFolder<'a, GapsUnderMotion>, answer: Answer<'a>, gap: &
         .map_or_else(String::new, |own| format!(", {} mm in the scene", digits(own * 1e3)));
     let told = || says_columns(scene, gap.left);
     let mut said: Vec<String> = gap.not_counted.iter().cloned().collect();
-    let is_over = !may_be_enough(folder);
+    let may_be_enough = Standing {
+        over: over_capacity_of(folder),
+        isolators: isolators_of(folder),
+        may_fall: folder.scene.is_bridge(),
+        strained: strained(folder),
+        fallen: gap.fallen,
+    }
+    .may_be_enough();
     said.extend(gap.all.as_ref().into_iter().flat_map(|all| {
-        let enough = says_enough(all, &gap.fallen, is_over);
+        let enough = says_enough(all, &gap.fallen, may_be_enough);
         std::iter::once(enough).chain(result(all, gap.own, told(), shown))
     }));
     said.extend(gap.widest.iter().map(|widest| format!("largest under {widest}")));
@@ -419,13 +420,12 @@ fn enough(width: f64) -> String {
     rounded_up(width * 1e3, decimals)
 }
 
-/// The width that is enough for all events. If a building would not stand or exceeds a capacity alone, it keeps floors apart, and is not
-/// called enough.
-fn says_enough(all: &RequiredGap, fallen: &Fallen, is_over: bool) -> String {
+/// The width that is enough for all events, or that keeps floors apart, and no more.
+fn says_enough(all: &RequiredGap, fallen: &Fallen, may_be_enough: bool) -> String {
     let widths = &all.required;
     let n = widths.sorted().len();
     let largest = enough(widths.largest());
-    if widths.largest() <= ALIKE {
+    if widths.largest() <= Separation::ALIKE {
         return "they move alike: the gap closes by less than 1 mm. That rests on equal periods and masses; change one of them by a few per cent before \
                 a width is called enough"
             .into();
@@ -436,11 +436,7 @@ fn says_enough(all: &RequiredGap, fallen: &Fallen, is_over: bool) -> String {
         2 => "both events".into(),
         n => format!("all {n} events"),
     };
-    let enough_for = if fallen.doubted > 0 || is_over {
-        "keep floors apart in"
-    } else {
-        "are enough for"
-    };
+    let enough_for = if may_be_enough { "are enough for" } else { "keep floors apart in" };
     let spread = if widths.has_quantiles() {
         format!(
             "; {} mm for half of them, {} mm for 84 %",

@@ -73,7 +73,7 @@ pub use assessment::{AssessedMotion, AssessmentReport, FolderOfMotions, ScalingA
 pub use assumed::link_parameters;
 pub use blow::Blow;
 pub use certificate::certificate;
-pub use direction::{BothDirections, other_direction, other_direction_exact, run_sentence};
+pub use direction::{BothDirections, OffSeat, other_direction, other_direction_exact, run_sentence};
 use figures::{Illustration, Known};
 pub use folder::{MotionRow, OfFolder, UnderMotion, said_briefly};
 pub use gaps::{GapsUnderMotion, gaps_answer, gaps_table};

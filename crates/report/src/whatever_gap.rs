@@ -5,9 +5,6 @@ use std::collections::BTreeSet;
 use pounding_assess::{Case, says_believed};
 use pounding_scene::{Excess, ExcessKind, Floors, Often, RowWords};
 
-/// Largest closing of neighbours that move alike \[m\].
-pub(crate) const ALIKE: f64 = 1e-3;
-
 /// Every building that exceeds a capacity of the scene even alone, by the drift or force that is farthest above it, with the number of `of`
 /// samples. `all` has such responses, each with its case.
 pub(crate) fn over_capacity(floors: &Floors, all: &[(Case, &Excess)], of: usize, sample: &'static str) -> Vec<Excess> {
@@ -80,6 +77,28 @@ pub(crate) fn isolators_over(all: Vec<Excess>) -> Option<Excess> {
     let over = |one: &Excess| one.kind == ExcessKind::Displacement && one.capacity.is_some();
     let all = all.into_iter().filter(over);
     all.max_by(|one, other| one.share().total_cmp(&other.share()))
+}
+
+/// What forbids to call a width enough.
+pub(crate) struct Standing {
+    /// Buildings that exceed a capacity alone.
+    pub(crate) over: Vec<Excess>,
+    /// Isolators that move farther than they bear.
+    pub(crate) isolators: Option<Excess>,
+    /// Whether decks may leave seats that were not judged.
+    pub(crate) may_fall: bool,
+    /// Number of samples in which a general limit is exceeded alone.
+    pub(crate) strained: usize,
+    /// Samples that are not believed.
+    pub(crate) fallen: Fallen,
+}
+
+impl Standing {
+    /// Whether a width may be called enough: nothing above, and a general limit is exceeded in less than half of the samples.
+    pub(crate) fn may_be_enough(&self) -> bool {
+        let stands = self.over.is_empty() && self.isolators.is_none() && self.fallen.doubted == 0;
+        stands && !self.may_fall && 2 * self.strained < self.fallen.of
+    }
 }
 
 /// Says of a bridge without seats that nobody judged them.

@@ -279,6 +279,20 @@ fn issue_a_seat_that_is_left_is_told_of_every_record() {
     fs::write(work.join("wide.toml"), seat.replace("seat_width_m = 0.002", "seat_width_m = 2")).expect("it can be written");
     let compared = flat(&pounding(&work, &["compare", "scene.toml", "wide.toml"]));
     assert!(compared.contains("leaves its seat b, at "), "{compared}");
+    // The deck falls in one direction only, in which its columns suffer less: that direction is the worse one. No wall leaves a deck.
+    let one_way = r#"
+name = "one way"
+record.generated.half_sine = { amplitude_m_per_s2 = 4, duration_s = 0.4, time_step_s = 0.01 }
+structures = [
+  { sdof = { name = "deck", mass_kg = 2e5, period_s = 0.9, damping.ratio = 0.02, height_m = 3 } },
+  { wall = {} },
+]
+contacts = [{ gap_m = 0.005, seat_width_m = 0.05, law.hertz.impact_stiffness_n_per_m1_5 = 2e9 }]
+"#;
+    fs::write(work.join("one-way.toml"), one_way).expect("it can be written");
+    let falls = flat(&pounding(&work, &["run", "one-way.toml"]));
+    assert!(falls.contains(" deck leaves its seat of 50 mm on wall at "), "{falls}");
+    assert!(falls.contains("worse for the structures (a deck leaves its seat)"), "{falls}");
     let gap = under_records(&work, "gap");
     assert!(
         gap.starts_with("Answer Decks may leave their seats: ") && !gap.contains("are enough"),
@@ -380,4 +394,39 @@ fn issue_a_column_without_a_capacity_leads_the_answer() {
     fs::write(work.join("other.toml"), slabs.replace("gap_m = 0.05", "gap_m = 0.04")).expect("it can be written");
     let compared = flat(&pounding(&work, &["compare", "scene.toml", "other.toml"]));
     assert!(compared.contains("part of its limit (hit by a"), "{compared}");
+}
+
+/// PEER's factors changed a width by 80 mm, and the motions were said to be scaled by the scene alone.
+#[test]
+fn issue_factors_of_a_selection_stand_beside_the_motions() {
+    let work = workplace("factors_of_a_selection", CAPACITY, false);
+    let table = " -- Summary of Metadata of Selected Records --\n\
+                 Record Sequence Number,Scale Factor,Horizontal-1 Acc. Filename,Horizontal-2 Acc. Filename\n\
+                 1,1.5,good.csv,other.csv\n";
+    fs::write(work.join("records/_SearchResults.csv"), table).expect("it can be written");
+    let asked = ["assess", "scene.toml", "--records", "records"];
+    let motions = |said: &str| said[at(said, "Motions ")..at(said, "Warnings ")].to_owned();
+    let without = motions(&flat(&pounding(&work, &asked)));
+    assert!(without.contains("are not used; --selection-factors uses them"), "{without}");
+    let with = motions(&flat(&pounding(&work, &[&asked[..], &["--selection-factors"]].concat())));
+    assert!(with.contains("multiply its records"), "{with}");
+}
+
+/// `compare` counted the fields that differ and did not name them.
+#[test]
+fn issue_compare_names_the_fields_that_differ() {
+    let work = workplace("fields_that_differ", CAPACITY, false);
+    let other = CAPACITY
+        .replace("gap_m = 0.05", "gap_m = 0.04")
+        .replace(
+            "law.hertz.impact_stiffness_n_per_m1_5 = 2e9",
+            "law.linear_spring.impact_stiffness_n_per_m = 1e9",
+        )
+        .replace("period_s = 0.6", "period_s = 0.7");
+    fs::write(work.join("other.toml"), other).expect("it can be written");
+    let said = flat(&pounding(&work, &["compare", "scene.toml", "other.toml"]));
+    assert!(
+        said.contains(" more fields differ: contacts[*].law.linear_spring.impact_stiffness_n_per_m, "),
+        "{said}"
+    );
 }

@@ -43,7 +43,7 @@ impl AssessmentReport {
             .into_iter()
             .chain(self.isolators_over().map(|over| says_isolators(&over, widths)))
             .chain(self.off_seats())
-            .chain((self.floors.is_bridge() && !self.scene.has_seats()).then(|| NO_SEATS.into()))
+            .chain(self.has_untold_seats().then(|| NO_SEATS.into()))
             .chain(self.raised());
         first.chain(self.disbelieved()).chain(self.cautions()).collect()
     }
@@ -217,6 +217,11 @@ impl AssessmentReport {
     /// The isolators that move farthest beyond their capacity.
     pub(super) fn isolators_over(&self) -> Option<Excess> {
         isolators_over(self.excesses())
+    }
+
+    /// Whether the row is a bridge whose seats the scene does not tell.
+    pub(super) fn has_untold_seats(&self) -> bool {
+        self.floors.is_bridge() && !self.scene.has_seats()
     }
 
     /// Number of samples in which a building alone exceeds a general limit of drift or ductility.

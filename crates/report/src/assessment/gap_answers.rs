@@ -1,6 +1,6 @@
 //! The sentences of an assessment about gaps: whether each is enough, and which width is proposed.
 
-use pounding_assess::{Distribution, GapAssessment, TargetFit};
+use pounding_assess::{Distribution, GapAssessment, Separation, TargetFit};
 use pounding_scene::ExcessKind;
 use pounding_text::{millimetres, millimetres_up, percent, two_decimals, two_digits};
 
@@ -8,7 +8,7 @@ use super::cautions::BESIDE;
 use super::{AssessedMotion, AssessmentReport};
 use crate::folder::factor;
 use crate::rules::{RuledGap, asked};
-use crate::whatever_gap::{ALIKE, says_beyond};
+use crate::whatever_gap::{Standing, says_beyond};
 
 impl AssessmentReport {
     /// The least part of the target that the mean spectrum has, and its period, if a code asks for more.
@@ -34,7 +34,7 @@ impl AssessmentReport {
     /// do not show which one is enough.
     pub(super) fn proposal(&self, gap: &GapAssessment) -> Option<f64> {
         let width = self.asked_width(gap);
-        (width > ALIKE && self.unfounded().is_none()).then(|| gap.built(width))
+        (width > Separation::ALIKE && self.unfounded().is_none()).then(|| gap.built(width))
     }
 
     /// The largest width that is needed, or that of the named code if it asks for more \[m\].
@@ -46,7 +46,7 @@ impl AssessmentReport {
     pub(super) fn is_wanting(&self, gap: &GapAssessment) -> bool {
         let width = self.asked_width(gap);
         // A wider hinge takes away the contact that holds a deck on its seat.
-        width > ALIKE && self.seat(gap).is_none() && gap.own.is_none_or(|own| own < width)
+        width > Separation::ALIKE && self.seat(gap).is_none() && gap.own.is_none_or(|own| own < width)
     }
 
     /// The width that the named code asks for \[m\]; `None` if none is named, or if it has no width here: a code takes all events.
@@ -58,13 +58,16 @@ impl AssessmentReport {
         Some(asked(rule, self.sample()).0)
     }
 
-    /// Whether a width may be called enough: alone no building exceeds a capacity or would hardly stand, no isolator moves farther than it
-    /// bears, and no general limit is exceeded in half of the samples or more.
+    /// Whether a width may be called enough, by [`Standing`].
     pub(super) fn says_enough(&self) -> bool {
-        self.over_capacity().is_empty()
-            && self.assessment.disbelieved_alone == 0
-            && self.isolators_over().is_none()
-            && 2 * self.strained_alone() < self.assessment.cases
+        let standing = Standing {
+            over: self.over_capacity(),
+            isolators: self.isolators_over(),
+            may_fall: self.has_untold_seats(),
+            strained: self.strained_alone(),
+            fallen: self.fallen(),
+        };
+        standing.may_be_enough()
     }
 
     /// Width of the seat in a gap \[m\], and in how many samples some floor leaves it; `None` without a seat.
@@ -182,7 +185,7 @@ impl AssessmentReport {
             return format!("{left} and {right}: {}", self.would_do(gap, "is enough"));
         };
         let width = millimetres(own);
-        if gap.touching == 0 && needed <= ALIKE {
+        if gap.touching == 0 && needed <= Separation::ALIKE {
             return format!(
                 "{left} and {right} touch in none of {runs} runs, because they move alike: the gap closes by less than 1 mm. That rests on \
                  equal periods and masses; change one of them by a few per cent before {width} mm is called enough."
@@ -301,7 +304,7 @@ impl AssessmentReport {
         };
         let believed = self.motions.iter().filter(|one| one.run.disbelieved_alone.is_none());
         let motion = believed.chain(&self.motions).find(asks);
-        let motion = motion.filter(|_| self.assessment.events > 1 && widest > ALIKE);
+        let motion = motion.filter(|_| self.assessment.events > 1 && widest > Separation::ALIKE);
         motion.map_or_else(String::new, |one| {
             let past = one.run.disbelieved_beside.as_ref().filter(|_| one.run.disbelieved_alone.is_none());
             let past = past.map_or_else(String::new, |past| {

@@ -3,8 +3,8 @@
 use std::collections::BTreeMap;
 
 use pounding::assess::{JudgedSeparations, beyond_belief};
-use pounding::report::{Blow, other_direction};
-use pounding::scene::{Error, PairQuantity, RunResult};
+use pounding::report::{Blow, OffSeat, other_direction};
+use pounding::scene::{Error, RunResult};
 use pounding::text::{NONE, millimetres_up, percent, short, two_digits};
 use serde_json::Value;
 
@@ -118,18 +118,11 @@ pub(super) fn rows(runs: &[ComparedRun]) -> Result<(Vec<ComparedRow>, Vec<String
     Ok((rows, said))
 }
 
-/// The first floor that leaves its seat in either direction, and when; `None` if none does.
+/// The first deck that leaves its seat in either direction, and when; `None` if none does.
 fn unseated(both: &BothWays<'_>) -> Option<String> {
-    let prepared = &both.scene.prepared;
-    let pairs = 0..prepared.pairs().len();
-    let all = both.runs().flat_map(|run| {
-        let values = run.values(prepared);
-        let times = pairs.clone().map(move |pair| (pair, values.of(PairQuantity::UnseatedS, pair)));
-        times.filter_map(|(pair, time)| Some((time?, pair)))
-    });
-    let (time, pair) = all.min_by(|one, other| one.0.total_cmp(&other.0))?;
-    let [_, deck] = prepared.floors().of_seat(pair);
-    Some(format!("{deck}, at {} s", short(time)))
+    let all = both.runs().filter_map(|run| OffSeat::first(&both.scene.prepared, run));
+    let first = all.min_by(|one, other| one.time.total_cmp(&other.time))?;
+    Some(format!("{}, at {} s", first.names[1], short(first.time)))
 }
 
 /// The drift, ductility or force that is the largest part of its limit, and which it is.

@@ -69,7 +69,7 @@ fn doubt_the_slabs(prepared: &Simulation, doubts: &mut Doubts) {
         return;
     };
     doubts.unless(
-        false,
+        apart >= THINNEST,
         format!("structures[{}]", floors.all()[floor].structure),
         format!(
             "slabs without a depth, whose tops are up to {} mm from those of the neighbour, so that they hit columns",
