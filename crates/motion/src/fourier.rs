@@ -2,6 +2,8 @@
 
 use std::f64::consts::TAU;
 
+use crate::Record;
+
 /// The discrete Fourier transform of 2ⁿ numbers, in place (J. W. Cooley and J. W. Tukey, 1965).
 pub(crate) fn transform(terms: &mut [[f64; 2]]) {
     let length = terms.len();
@@ -47,6 +49,21 @@ pub(crate) fn inverse(terms: &mut [[f64; 2]]) {
     }
 }
 
+impl Record {
+    /// Fourier amplitude |Δt Σ a exp(−2πi f t)| \[m/s\] of the samples at a frequency f ≥ 0 \[Hz\]. Frequencies above half the sampling
+    /// rate mirror those below it.
+    pub fn fourier_amplitude(&self, frequency: f64) -> f64 {
+        let mut sum = [0.0; 2];
+        for (index, sample) in self.samples().iter().enumerate() {
+            // Whole turns are taken off before π enters.
+            let (sine, cosine) = libm::sincos(TAU * (frequency * self.time_step() * index as f64).fract());
+            sum[0] += sample * cosine;
+            sum[1] += sample * sine;
+        }
+        self.time_step() * libm::hypot(sum[0], sum[1])
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -77,6 +94,34 @@ mod tests {
         inverse(&mut both);
         for (found, number) in both.iter().zip(numbers) {
             assert!((found[0] - number[0]).abs() + (found[1] - number[1]).abs() < 1e-14, "{both:?}");
+        }
+    }
+
+    /// A half sine of amplitude A and duration d has |F| = 2 A b cos(π f d) / (b² − ω²), b = π/d; its samples add O(Δt²).
+    #[test]
+    fn reference_amplitudes_of_a_half_sine() {
+        let (amplitude, duration, n) = (2.5, 0.4, 4000);
+        let step = duration / f64::from(n);
+        let samples = (0..=n).map(|index| amplitude * libm::sin(std::f64::consts::PI * f64::from(index) / f64::from(n)));
+        let record = Record::new(step, samples.collect(), "").expect("a record");
+        let b = std::f64::consts::PI / duration;
+        for frequency in [0.0, 0.7, 2.0, 5.5] {
+            let omega = TAU * frequency;
+            let wanted = (2.0 * amplitude * b * libm::cos(0.5 * omega * duration) / (b * b - omega * omega)).abs();
+            let found = record.fourier_amplitude(frequency);
+            assert!((found - wanted).abs() < 1e-6, "{frequency}: {found} against {wanted}");
+        }
+    }
+
+    #[test]
+    fn limit_amplitudes_are_those_of_the_transform() {
+        let samples: Vec<f64> = (0..64).map(|index| f64::from(index * 37 % 64) - 30.0).collect();
+        let record = Record::new(0.02, samples.clone(), "").expect("a record");
+        let mut terms: Vec<[f64; 2]> = samples.iter().map(|one| [*one, 0.0]).collect();
+        transform(&mut terms);
+        for (index, [real, imaginary]) in terms.iter().enumerate().take(33) {
+            let found = record.fourier_amplitude(index as f64 / (64.0 * 0.02));
+            assert!((found - 0.02 * libm::hypot(*real, *imaginary)).abs() < 1e-12, "{index}: {found}");
         }
     }
 }

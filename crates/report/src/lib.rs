@@ -87,13 +87,16 @@ pub use page::STYLE;
 pub use player::Player;
 use pounding_assess::Effects;
 use pounding_files::ResultNames;
-use pounding_scene::{Error, Review, RunResult, Simulation};
+use pounding_scene::{BetweenSamples, Error, Review, RunResult, Simulation};
 pub use risk::{JudgedRun, RiskAsked, RiskReport};
 use sampling::Sampling;
 pub use shown::{InWords, tables};
 pub use site::{Site, SitedNumber};
 pub use sketch::Sketch;
-pub use spectra::{SpectraLabels, pair_spectra_table, pair_spectral_columns, spectra_figure, spectra_table, spectral_columns};
+pub use spectra::{
+    SpectraLabels, ductility_columns, ductility_table, fourier_table, pair_spectra_table, pair_spectral_columns, spectra_figure,
+    spectra_table, spectral_columns,
+};
 pub use summary::{
     CollapseSummary, CollisionSummary, ErrorSummary, LedgerSummary, LinkSummary, MethodSummary, Numbers, PairErrorSummary, PairSummary,
     ReadingSummary, RecordSummary, SCHEMA_VERSION, StructureSummary, Summary, WorkSummary,
@@ -107,7 +110,7 @@ pub struct Report<'a> {
     sampling: Sampling,
     effects: Option<Effects>,
     directions: Option<BothDirections>,
-    between_samples: Option<String>,
+    between_samples: Option<Result<BetweenSamples, Error>>,
 }
 
 impl<'a> Report<'a> {
@@ -157,11 +160,7 @@ impl<'a> Report<'a> {
     /// Returns the report with how far its numbers hang on the record between its samples; see [`Simulation::between_samples`].
     #[must_use]
     pub fn with_between_samples(self) -> Self {
-        let found = self.prepared.between_samples(&self.review.outcome);
-        let between_samples = found.map(|found| match found {
-            Ok(between) => between.to_string(),
-            Err(error) => format!("not known, the run with a band-limited record fails: {error}"),
-        });
+        let between_samples = self.prepared.between_samples(&self.review.outcome);
         Self { between_samples, ..self }
     }
 
@@ -195,6 +194,7 @@ impl<'a> Report<'a> {
     pub fn summary(&self) -> Summary {
         Summary {
             effects: self.effects.clone(),
+            between_samples: self.between_samples.as_ref().and_then(|found| found.as_ref().ok().copied()),
             warnings: self.notices(),
             ..Summary::of(self.prepared, &self.review)
         }

@@ -1,7 +1,7 @@
 //! Response spectra as a table and as a picture.
 
 use pounding_plot::{Axis, Curve, CurveKind, Figure, Legend, Panel, PlotError, Shade, render_both, writable};
-use pounding_scene::{PairSpectrum, PairValues, SpectralValues, Spectrum};
+use pounding_scene::{DuctilitySpectrum, DuctilityValues, PairSpectrum, PairValues, SpectralValues, Spectrum};
 use pounding_text::{Cell, Table, Unit, digits};
 
 /// How spectra are shown.
@@ -57,6 +57,36 @@ pub fn spectral_columns<'a, Of: 'a>(table: Table<'a, Of>, values: fn(&Of) -> &Sp
         .number("sa_m_per_s2", "Sa", &Unit::ACCELERATION, move |row| {
             values(row).absolute_acceleration
         })
+}
+
+/// A row for each damping ratio, ductility and period.
+pub fn ductility_table(spectra: &[DuctilitySpectrum]) -> Table<'_, ([f64; 2], DuctilityValues)> {
+    let rows = spectra.iter().flat_map(|spectrum| {
+        let of = [spectrum.damping_ratio, spectrum.ductility];
+        spectrum.values.iter().map(move |values| (of, *values))
+    });
+    let table = Table::of(rows)
+        .column("damping_ratio", |([damping, _], _)| Cell::exact(*damping))
+        .column("ductility", |([_, ductility], _)| Cell::exact(*ductility));
+    ductility_columns(table, |(_, values)| values)
+}
+
+/// Returns the table with the strength of a structure of one period.
+pub fn ductility_columns<'a, Of: 'a>(table: Table<'a, Of>, values: fn(&Of) -> &DuctilityValues) -> Table<'a, Of> {
+    table
+        .number("period_s", "Period", &Unit::PERIOD, move |row| values(row).period)
+        .number("yield_acceleration_m_per_s2", "fy/m", &Unit::ACCELERATION, move |row| {
+            values(row).yield_acceleration
+        })
+        .number("sd_m", "Sd", &Unit::METRE, move |row| values(row).displacement)
+        .number("strength_reduction", "R", &Unit::ONE, move |row| values(row).strength_reduction)
+}
+
+/// A row for each frequency \[Hz\] and its Fourier amplitude \[m/s\].
+pub fn fourier_table<'a>(amplitudes: Vec<[f64; 2]>) -> Table<'a, [f64; 2]> {
+    Table::of(amplitudes)
+        .number("frequency_hz", "Frequency", &Unit::HERTZ, |[frequency, _]| *frequency)
+        .number("fourier_amplitude_m_per_s", "Amplitude", &Unit::SPEED, |[_, amplitude]| *amplitude)
 }
 
 /// A row for each pair of horizontal components, damping ratio and period; `pairs` has the name of each pair and its spectra.

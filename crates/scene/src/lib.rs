@@ -34,6 +34,7 @@
 //! - [`parallel`]: work on many scenes by all threads.
 
 mod accuracy;
+mod ductility_spectrum;
 pub mod file;
 mod ground_motion;
 mod judge;
@@ -51,6 +52,7 @@ pub use accuracy::ladder::Ladder;
 pub use accuracy::methods::{ComparedMethod, MethodSetting, StepMethod};
 pub use accuracy::opening::SimulationOptions;
 pub use accuracy::price::RunMode;
+pub use ductility_spectrum::{DuctilitySpectrum, DuctilityValues, ductility_spectra};
 pub use file::error::Error;
 pub use file::{
     Building, Capacities, ColumnShape, Columns, Contact, DampedStiffness, Damping, FileUse, FloorHeights, Generated, Link, Method, PDelta,

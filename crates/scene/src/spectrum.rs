@@ -187,7 +187,7 @@ pub fn scaled_to_sa(record: &Record, period: f64, damping_ratio: f64, target: f6
     record.scaled(target / found)
 }
 
-fn check(place: &str, found: f64, valid: bool, allowed: &'static str) -> Result<(), Refused> {
+pub(crate) fn check(place: &str, found: f64, valid: bool, allowed: &'static str) -> Result<(), Refused> {
     if valid {
         return Ok(());
     }
@@ -206,14 +206,36 @@ fn of_the_ground(record: &Record) -> SpectralValues {
     }
 }
 
-/// Runs a structure of unit mass until `end` \[s\].
+/// Largest responses of a structure.
+pub(crate) struct Largest {
+    /// Displacement \[m\].
+    pub(crate) displacement: f64,
+    /// Absolute acceleration \[m/s²\].
+    pub(crate) acceleration: f64,
+}
+
+/// Runs an elastic structure of unit mass until `end` \[s\].
 fn values(excitation: Excitation<'_>, end: f64, period: f64, damping_ratio: f64, budget: Budget) -> Result<SpectralValues, RunError> {
     let frequency = TAU / period;
     let stiffness = frequency * frequency;
     let damping = Damping::Ratio(damping_ratio).coefficient(1.0, stiffness);
     let node = Node::structure(1.0, damping, Elastic { stiffness });
     let row = Row::new(vec![node], vec![]).expect("mass, damping and stiffness are finite");
-    let row = AnyRow::Elastic(row);
+    let Largest {
+        displacement,
+        acceleration,
+    } = shaken(&AnyRow::Elastic(row), excitation, end, budget)?;
+    Ok(SpectralValues {
+        period,
+        displacement,
+        pseudo_velocity: frequency * displacement,
+        pseudo_acceleration: stiffness * displacement,
+        absolute_acceleration: acceleration,
+    })
+}
+
+/// Runs a row of one structure until `end` \[s\].
+pub(crate) fn shaken(row: &AnyRow, excitation: Excitation<'_>, end: f64, budget: Budget) -> Result<Largest, RunError> {
     let clock = Clock {
         time_step: end,
         n_steps: 1,
@@ -224,14 +246,10 @@ fn values(excitation: Excitation<'_>, end: f64, period: f64, damping_ratio: f64,
     };
     let exact = Integrator::Exact(Exact::default());
     row.run(&exact, excitation, clock.within(budget), &mut recorders)?;
-    let displacement = recorders.peaks.of(0).displacement.value.abs();
     let accelerations = recorders.accelerations.iter();
     let absolute = accelerations.map(|all| all.of(0).value.abs());
-    Ok(SpectralValues {
-        period,
-        displacement,
-        pseudo_velocity: frequency * displacement,
-        pseudo_acceleration: stiffness * displacement,
-        absolute_acceleration: absolute.fold(0.0, f64::max),
+    Ok(Largest {
+        displacement: recorders.peaks.of(0).displacement.value.abs(),
+        acceleration: absolute.fold(0.0, f64::max),
     })
 }

@@ -57,6 +57,8 @@ impl Unit {
     pub const NEWTON_SECOND: Self = Self::new("_n_s", "N·s", "kN·s", |_| 1e-3, short);
     /// A speed.
     pub const SPEED: Self = Self::new("_m_per_s", "m/s", "m/s", |_| 1.0, short);
+    /// A frequency.
+    pub const HERTZ: Self = Self::new("_hz", "Hz", "Hz", |_| 1.0, short);
     /// A speed that is known to two digits.
     pub const ROUGH_SPEED: Self = Self::SPEED.read(two_digits);
     /// An energy.

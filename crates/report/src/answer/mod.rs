@@ -10,7 +10,7 @@ mod verdict;
 pub use facts::{method_facts, record_facts};
 pub use scene::damping_facts;
 
-use pounding_scene::{Excess, Implausible, Method, RunResult, Warning};
+use pounding_scene::{BetweenSamples, Error, Excess, Implausible, Method, RunResult, Warning};
 use pounding_text::{Answer, Grid, Manner, Where, digits};
 
 use crate::assumed::{self, Assumed};
@@ -49,7 +49,7 @@ impl Report<'_> {
             .say(Where::Page, "", self.says_seats())
             .table(Where::FirstScreen, brief::buildings(prepared, &words))
             .table(Where::FirstScreen, tables::links(prepared, &words))
-            .say(Where::FirstScreen, "Samples", self.between_samples.iter().cloned().collect());
+            .say(Where::FirstScreen, "Samples", self.says_samples());
         let answer = self
             .warnings(answer)
             .figure("animation")
@@ -99,6 +99,15 @@ impl Report<'_> {
             )
             .say_as(Where::Everywhere, Manner::Box(UNUSUAL), "Unusual", unusual)
             .say_as(Where::Page, Manner::Box(BEFORE), "", self.notices())
+    }
+
+    /// What the record leaves open between its samples.
+    fn says_samples(&self) -> Vec<String> {
+        let says = |found: &Result<BetweenSamples, Error>| match found {
+            Ok(between) => between.to_string(),
+            Err(error) => format!("not known, the run with a band-limited record fails: {error}"),
+        };
+        self.between_samples.iter().map(says).collect()
     }
 
     /// Adds the pairs and their collisions.

@@ -9,7 +9,7 @@ use pounding_solver::{Terms, Work};
 use serde::{Deserialize, Serialize};
 
 use pounding_assess::Effects;
-use pounding_scene::{Implausible, Scene};
+use pounding_scene::{BetweenSamples, Implausible, Scene};
 
 /// Version of the form of results: `summary.json`, `runs.json`, `assess.json`, the tables beside them, and the file
 /// beside a converted record. A new field or column keeps it; one that goes, or changes its meaning, raises it.
@@ -44,6 +44,9 @@ pub struct Summary {
     /// The collapse that ended the run before its duration, if there is one.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub collapse: Option<CollapseSummary>,
+    /// How far the numbers move if the record is band-limited between its samples, if that was measured.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub between_samples: Option<BetweenSamples>,
     /// Where the energy went.
     pub ledger: LedgerSummary,
     /// What the run cost.

@@ -26,6 +26,7 @@ impl Summary {
             links: LinkSummary::of_run(prepared, review),
             effects: None,
             collapse: CollapseSummary::of_run(prepared, &review.outcome),
+            between_samples: None,
             ledger: LedgerSummary::of(&review.balance),
             work: WorkSummary::of(&review.outcome.work),
             unusual: prepared.doubts(),

@@ -2,18 +2,24 @@
 
 use pounding_motion::Record;
 use pounding_text::percent;
+use serde::{Deserialize, Serialize};
 
 use crate::file::Interpolation;
 use crate::{Error, RunResult, Simulation, Source};
 
 /// How far numbers of a run move if its record is band-limited between samples, in place of straight lines.
-#[derive(Debug, Clone, Copy, PartialEq)]
+///
+/// JSON names the numbers as relative changes: `drift_change`, `impulse_change`, `force_change`.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct BetweenSamples {
     /// Change of the largest drift of all storeys \[–\].
+    #[serde(rename = "drift_change")]
     pub drift: Option<f64>,
     /// Change of the largest impulse of all collisions \[–\]; `None` if one of both runs has none.
+    #[serde(rename = "impulse_change")]
     pub impulse: Option<f64>,
     /// Change of the largest pounding force \[–\]; `None` if one of both runs has none.
+    #[serde(rename = "force_change")]
     pub force: Option<f64>,
     /// Number of collisions with straight lines, and with the band-limited record.
     pub collisions: [usize; 2],

@@ -6,6 +6,7 @@ mod bumpers;
 mod capacities;
 mod certificates;
 mod collapse;
+mod ductility_spectrum;
 mod errors;
 mod extremes;
 mod floors;

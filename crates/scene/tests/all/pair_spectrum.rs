@@ -152,3 +152,37 @@ fn extreme_pairs() {
     assert!(refused([&one, &one], 1e-5, 0.05).contains("steps over this record"));
     assert!(refused([&one, &one], 1.0, 1.5).contains("0 to 1"));
 }
+
+/// The package pyrotd takes the pair as band-limited, by Fourier transforms: see the script beside its numbers.
+#[test]
+fn reference_pyrotd() {
+    let step = 0.25e-3;
+    let made = |motion: fn(f64) -> f64| {
+        let sample = |index: i32| {
+            let time = f64::from(index) * step;
+            let window = libm::sin(0.5 * TAU * time / 6.0);
+            window * window * motion(time)
+        };
+        Record::new(step, (0..24_000).map(sample).collect(), "").expect("a record")
+    };
+    let pair = [
+        made(|time| libm::sin(1.2 * TAU * time) + 0.5 * libm::cos(0.7 * TAU * time)),
+        made(|time| 0.8 * libm::sin(0.9 * TAU * time + 0.4)),
+    ];
+    let table = include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/../../studies/pyrotd/pair.csv"));
+    let rows: Vec<Vec<f64>> = table
+        .lines()
+        .skip(1)
+        .map(|line| line.split(',').map(|cell| cell.parse().expect("a number")).collect())
+        .collect();
+    assert_eq!(rows.len(), 4);
+    for row in rows {
+        let [period, damping, rotd00, rotd50, rotd100] = row[..] else {
+            panic!("{row:?}");
+        };
+        let found = spectrum([&pair[0], &pair[1]], &[period], damping)[0];
+        close(found.rotd00, rotd00, 1e-6, "RotD00");
+        close(found.rotd50, rotd50, 1e-6, "RotD50");
+        close(found.rotd100, rotd100, 1e-6, "RotD100");
+    }
+}

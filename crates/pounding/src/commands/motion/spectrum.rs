@@ -1,5 +1,6 @@
-//! `pounding motion spectrum`: response spectra of a record, by the exact method.
+//! `pounding motion spectrum`: spectra of a record; responses by the exact method.
 
+mod further;
 mod pairs;
 
 use std::path::{Path, PathBuf};
@@ -21,6 +22,8 @@ Examples:
   pounding motion spectrum quake.AT2 --figure spectrum.svg
   pounding motion spectrum quake.AT2 --count 200 --csv > spectrum.csv
   pounding motion spectrum --pairs records
+  pounding motion spectrum quake.AT2 --ductility 2,4
+  pounding motion spectrum quake.AT2 --fourier
 
 Without --periods and --count the table has the periods of ground-motion models
 between --from and --to. A figure is drawn through 400 periods in equal ratios
@@ -38,6 +41,12 @@ pub(super) struct Arguments {
     /// Two horizontal components together: median and maximum over all directions, geometric mean.
     #[arg(long, conflicts_with = "figure")]
     pairs: bool,
+    /// Yield forces at which elastic-perfectly plastic structures have these ductilities, 1 to 100.
+    #[arg(long, value_name = "RATIO,…", value_delimiter = ',', allow_negative_numbers = true, conflicts_with_all = ["pairs", "figure", "fourier"])]
+    ductility: Vec<f64>,
+    /// Fourier amplitudes of the record at the frequencies 1/T.
+    #[arg(long, conflicts_with_all = ["pairs", "figure", "damping"])]
+    fourier: bool,
     /// Natural periods [s], 0 for the ground itself.
     #[arg(long, value_name = "T,T,…", value_delimiter = ',', value_parser = period, allow_negative_numbers = true, conflicts_with_all = ["from", "to", "count"])]
     periods: Vec<f64>,
@@ -117,6 +126,12 @@ pub(super) fn run(args: &Arguments) -> Result<String, Refused> {
         return Err(found
             .allowed_is("one")
             .help("give --pairs for the two horizontal components of a recording"));
+    }
+    if args.fourier {
+        return further::fourier(args);
+    }
+    if !args.ductility.is_empty() {
+        return further::ductilities(args);
     }
     let opened = args.declared.open(args.file())?;
     if let Some(figure) = &args.figure {
@@ -204,20 +219,24 @@ fn component(args: &Arguments, opened: &Opened) -> Option<String> {
     Some(opened.component().unwrap_or(declared))
 }
 
-fn answer<'a>(args: &Arguments, opened: &Opened, spectra: &'a [Spectrum]) -> Answer<'a> {
-    let gravity = args.declared.gravity;
+/// The record in words.
+fn record(args: &Arguments, opened: &Opened) -> Vec<String> {
     let (time, peak) = opened.record.peak();
     let record = format!(
         "{}, {} samples, {} s apart, peak {} g at {} s",
         opened.file().format().name(),
         opened.record.samples().len(),
         opened.record.time_step(),
-        short(peak / gravity),
+        short(peak / args.declared.gravity),
         short(time)
     );
-    let file = args.file().display().to_string();
+    vec![args.file().display().to_string(), record]
+}
+
+fn answer<'a>(args: &Arguments, opened: &Opened, spectra: &'a [Spectrum]) -> Answer<'a> {
+    let gravity = args.declared.gravity;
     let numbers = |spectrum: &'a Spectrum| spectral_columns(Table::of(&spectrum.values).gravity(gravity), |values| values);
-    let answer = Answer::new().say(Where::Terminal, "Record", vec![file.clone(), record]);
+    let answer = Answer::new().say(Where::Terminal, "Record", record(args, opened));
     let answer = spectra.iter().fold(answer, |answer, spectrum| {
         let damping = vec![percent(spectrum.damping_ratio)];
         answer
@@ -229,7 +248,7 @@ fn answer<'a>(args: &Arguments, opened: &Opened, spectra: &'a [Spectrum]) -> Ans
     answer
         .say(Where::Terminal, "Notes", vec![NOTES.into()])
         .say(Where::Terminal, "Figure", figure.collect())
-        .fact("file", file)
+        .fact("file", args.file().display().to_string())
         .fact("component", component(args, opened))
         .fact("gravity_m_per_s2", gravity)
         .fact("spectra", spectra.iter().map(json).collect::<Vec<_>>())

@@ -1,0 +1,67 @@
+//! Spectra of constant ductility against closed forms and printed values.
+
+use pounding_motion::Record;
+use pounding_scene::{DuctilityValues, ductility_spectra, response_spectrum};
+
+fn at(record: &Record, period: f64, [damping, ductility]: [f64; 2]) -> DuctilityValues {
+    ductility_spectra(record, &[period], [&[damping], &[ductility]], None, &|| ()).expect("spectra")[0].values[0]
+}
+
+/// A ground that accelerates by a without end does the work m a u, which the columns take as fy (u − uy/2) before the structure turns:
+/// fy/(m a) = 1/(1 − 1/(2µ)). The last samples fall to zero slowly.
+#[test]
+fn reference_a_lasting_step() {
+    let a = 1.7;
+    let mut samples = vec![a; 4000];
+    samples.extend((0..4000).map(|index| a * (1.0 - f64::from(index) / 4000.0)));
+    let step = Record::new(0.01, samples, "").expect("a record");
+    for period in [0.2, 1.0] {
+        for ductility in [1.5, 2.0, 4.0, 10.0] {
+            let found = at(&step, period, [0.0, ductility]);
+            let wanted = a / (1.0 - 0.5 / ductility);
+            assert!(
+                (found.yield_acceleration / wanted - 1.0).abs() < 2e-9,
+                "{period}, {ductility}: {found:?}"
+            );
+            let frequency = std::f64::consts::TAU / period;
+            let displacement = ductility * wanted / (frequency * frequency);
+            assert!((found.displacement / displacement - 1.0).abs() < 2e-9, "{found:?}");
+            assert!(
+                (found.strength_reduction * found.yield_acceleration / (2.0 * a) - 1.0).abs() < 1e-9,
+                "{found:?}"
+            );
+        }
+    }
+}
+
+/// A ductility of 1 is the elastic structure; strength falls and the reduction grows with the ductility.
+#[test]
+fn limit_ductilities() {
+    let text = include_str!(concat!(
+        env!("CARGO_MANIFEST_DIR"),
+        "/../../studies/records/el-centro-1940-ns-chopra.csv"
+    ));
+    let record = pounding_motion::read(text.as_bytes()).expect("the record is readable");
+    let record = record.into_record(9.81).expect("the record is finite");
+    let elastic = response_spectrum(&record, &[0.5], 0.05).expect("a spectrum")[0];
+    let one = at(&record, 0.5, [0.05, 1.0]);
+    assert_eq!([one.yield_acceleration, one.strength_reduction], [elastic.pseudo_acceleration, 1.0]);
+    let found = [1.0, 1.5, 3.0, 7.0].map(|ductility| at(&record, 0.5, [0.05, ductility]));
+    assert!(
+        found.windows(2).all(|two| two[1].yield_acceleration < two[0].yield_acceleration),
+        "{found:?}"
+    );
+}
+
+#[test]
+fn extreme_spectra_that_do_not_exist() {
+    let record = Record::new(0.01, vec![0.0, 1.0, 0.0], "").expect("a record");
+    let still = Record::new(0.01, vec![0.0; 3], "").expect("a record");
+    let refused = |record: &Record, period: f64, ductility: f64| {
+        let refused = ductility_spectra(record, &[period], [&[0.05], &[ductility]], None, &|| ()).expect_err("it is refused");
+        refused.to_string()
+    };
+    assert!(refused(&record, 0.0, 2.0).contains("above 0 s"));
+    assert!(refused(&record, 1.0, 0.5).contains("1 to 100"));
+    assert!(refused(&still, 1.0, 2.0).contains("zero"), "{}", refused(&still, 1.0, 2.0));
+}
