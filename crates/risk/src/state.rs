@@ -19,6 +19,17 @@ pub struct RunNumbers {
     pub collapsed: bool,
 }
 
+impl RunNumbers {
+    /// The numbers of a proportional row under this part of the motion, of which only widths were asked for.
+    #[must_use]
+    pub fn of_part(mut self, share: f64) -> Self {
+        for required in &mut self.required {
+            *required *= share;
+        }
+        self
+    }
+}
+
 /// A state that a motion reaches or not.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum State {

@@ -38,7 +38,7 @@ pub struct StripesAsked<'a> {
 const WIDE: f64 = 100.0;
 
 /// Runs of a piece of work.
-const AT_A_TIME: usize = 64;
+const AT_A_TIME: u64 = 64;
 
 /// Motions that run at once, with the intensities to which each is scaled; empty if they are as strong as in their files.
 struct Part<'a> {
@@ -75,29 +75,53 @@ impl StripesAsked<'_> {
             same_events: matches!(self.motions, StripeMotions::Scaled { .. }),
         };
         let sweeps = parts.iter().map(|part| {
-            let sweep = |file: &Option<SweepFile>| {
-                let file = file.as_ref().map(|file| part.varied(file));
-                file.map(|file| Sweep::under(&file, self.path, &part.given, Some(watched.stop)))
-                    .transpose()
-            };
-            Ok([sweep(&rows[0])?, sweep(&rows[1])?])
+            let [apart, beside] = &rows;
+            let apart = apart.as_ref().map(|file| self.widths(part, file, watched)).transpose()?;
+            let beside = beside.as_ref().map(|file| self.all_runs(part, file, watched)).transpose()?;
+            Ok([apart, beside])
         });
-        let sweeps: Vec<[Option<Sweep>; 2]> = sweeps.collect::<Result<_, Refused>>()?;
+        let sweeps: Vec<[Option<Runs>; 2]> = sweeps.collect::<Result<_, Refused>>()?;
         let all = sweeps.iter().flatten().flatten();
         let n_runs = self.n_runs();
-        let contacts = all.clone().next().map_or_else(Vec::new, |sweep| sweep.row.contacts());
+        let contacts = all.clone().next().map_or_else(Vec::new, |runs| runs.sweep.row.contacts());
         let own = self.scene.contacts.iter().flatten();
         let gaps: Vec<f64> = own.map(|one| one.gap_m).collect();
         runs.gaps = contacts.iter().map(|contact| gaps[*contact]).collect();
         for (part, sweeps) in parts.iter().zip(&sweeps) {
-            let numbers = [0, 1].map(|row| sweeps[row].as_ref().map(|sweep| numbers(sweep, part, n_runs, watched)));
-            let [apart, beside] = numbers;
+            let [apart, beside] = [0, 1].map(|row| sweeps[row].as_ref().map(|runs| runs.numbers(n_runs, watched)));
             part.take(self.directions, both(apart.transpose()?, beside.transpose()?), &mut runs);
         }
         for state in self.states {
             Self::says_missing(*state, &runs)?;
         }
         Ok(runs)
+    }
+
+    /// A run for every motion, direction and intensity.
+    fn all_runs(&self, part: &Part<'_>, file: &SweepFile, watched: Watched<'_>) -> Result<Runs, Refused> {
+        let file = varied(file, part.intensities);
+        Ok(Runs {
+            sweep: Sweep::under(&file, self.path, &part.given, Some(watched.stop))?,
+            shares: vec![1.0],
+            of_motion: part.n_stripes() as u64,
+        })
+    }
+
+    /// The runs for the widths that gaps need. Those of a proportional row are proportional to the intensity: the strongest motion suffices.
+    fn widths(&self, part: &Part<'_>, file: &SweepFile, watched: Watched<'_>) -> Result<Runs, Refused> {
+        let &[_, .., strongest] = part.intensities else {
+            return self.all_runs(part, file, watched);
+        };
+        let runs = Runs {
+            sweep: Sweep::under(&varied(file, &[strongest]), self.path, &part.given, Some(watched.stop))?,
+            shares: part.intensities.iter().map(|one| one / strongest).collect(),
+            of_motion: 1,
+        };
+        if runs.sweep.first_row().is_some_and(|row| row.is_proportional()) {
+            Ok(runs)
+        } else {
+            self.all_runs(part, file, watched)
+        }
     }
 
     /// Number of all runs: those of the row apart and those of the row as it is.
@@ -269,19 +293,19 @@ fn none() -> Outputs {
     }
 }
 
-impl Part<'_> {
-    /// The sweep with its motions scaled to all intensities.
-    fn varied(&self, file: &SweepFile) -> SweepFile {
-        let mut file = file.clone();
-        if !self.intensities.is_empty() {
-            file.vary = vec![Vary {
-                fields: vec!["record.scale".into()],
-                spread: Spread::Values(self.intensities.iter().map(|one| json!(one)).collect()),
-            }];
-        }
-        file
+/// The sweep with its motions scaled to intensities, if there are any.
+fn varied(file: &SweepFile, intensities: &[f64]) -> SweepFile {
+    let mut file = file.clone();
+    if !intensities.is_empty() {
+        file.vary = vec![Vary {
+            fields: vec!["record.scale".into()],
+            spread: Spread::Values(intensities.iter().map(|one| json!(one)).collect()),
+        }];
     }
+    file
+}
 
+impl Part<'_> {
     fn n_stripes(&self) -> usize {
         self.intensities.len().max(1)
     }
@@ -309,26 +333,43 @@ impl Part<'_> {
 /// Runs of a row, in the order of their numbers.
 type Found = Vec<Result<RunNumbers, String>>;
 
-/// Runs a sweep in pieces of whole motions, which do not depend on the number of threads.
-fn numbers(sweep: &Sweep, part: &Part<'_>, n_runs: usize, watched: Watched<'_>) -> Result<Found, Refused> {
-    let n = part.n_stripes();
-    let piece = (n * AT_A_TIME.div_ceil(n)) as u64;
-    let pieces: Vec<u64> = (0..sweep.n_runs().div_ceil(piece)).collect();
-    let found = parallel::each(&pieces, |index| {
+/// The runs of a part.
+struct Runs {
+    sweep: Sweep,
+    /// The numbers of each run also hold for motions of these parts of its strength, once their widths are multiplied by it.
+    shares: Vec<f64>,
+    /// Number of runs of a motion in one direction.
+    of_motion: u64,
+}
+
+impl Runs {
+    /// Runs the sweep in pieces of whole motions, which do not depend on the number of threads.
+    fn numbers(&self, n_runs: usize, watched: Watched<'_>) -> Result<Found, Refused> {
+        let sweep = &self.sweep;
+        let piece = self.of_motion * AT_A_TIME.div_ceil(self.of_motion);
+        let pieces: Vec<u64> = (0..sweep.n_runs().div_ceil(piece)).collect();
+        let found = parallel::each(&pieces, |index| {
+            if sweep.is_stopped() {
+                return Vec::new();
+            }
+            let batch = sweep.batch(index * piece..((index + 1) * piece).min(sweep.n_runs()));
+            let of_run = |run: usize| {
+                let strongest = sweep.numbers_of(&batch, run);
+                self.shares
+                    .iter()
+                    .map(move |share| strongest.clone().map(|numbers| numbers.of_part(*share)))
+            };
+            let numbers: Found = (0..batch.failed.len()).flat_map(of_run).collect();
+            for _ in &numbers {
+                (watched.step)(n_runs);
+            }
+            numbers
+        });
         if sweep.is_stopped() {
-            return Vec::new();
+            return Err(Refused::that("stopped before all runs were finished").kind(RefusalKind::Stopped));
         }
-        let batch = sweep.batch(index * piece..((index + 1) * piece).min(sweep.n_runs()));
-        let numbers: Found = (0..batch.failed.len()).map(|run| sweep.numbers_of(&batch, run)).collect();
-        for _ in &numbers {
-            (watched.step)(n_runs);
-        }
-        numbers
-    });
-    if sweep.is_stopped() {
-        return Err(Refused::that("stopped before all runs were finished").kind(RefusalKind::Stopped));
+        Ok(found.into_iter().flatten().collect())
     }
-    Ok(found.into_iter().flatten().collect())
 }
 
 impl Sweep {

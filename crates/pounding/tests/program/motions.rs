@@ -252,6 +252,31 @@ fn reference_spectrum() {
 }
 
 #[test]
+fn reference_spectra_of_strength_and_frequency() {
+    let folder = folder("motion_further_spectra");
+    fs::write(folder.join("record.csv"), waves("g")).expect("written");
+    let asked = |more: &[&str]| motion(&folder, &[&["spectrum", "record.csv"], more].concat());
+    let strengths = ["--periods", "0.5,1", "--ductility", "1,2"];
+    assert_snapshot!("ductilities", printed(&asked(&strengths)));
+    assert_snapshot!("ductilities_csv", asked(&[&strengths[..], &["--csv"]].concat()).stdout);
+    let json = json_of(&asked(&[&strengths[..], &["--json"]].concat()));
+    assert_eq!(json["spectra"][1]["ductility"], 2.0);
+    assert_eq!(json["spectra"][0]["values"][0]["strength_reduction"], 1.0);
+    let amplitudes = ["--fourier", "--periods", "0,0.01,0.5,2"];
+    assert_snapshot!("fourier", printed(&asked(&amplitudes)));
+    assert_snapshot!("fourier_csv", asked(&[&amplitudes[..], &["--csv"]].concat()).stdout);
+    let refused = asked(&["--fourier", "--periods", "0,0.001"]);
+    assert_eq!(refused.code, 1);
+    assert!(
+        refused.stderr.contains("the samples have no frequencies above"),
+        "{}",
+        refused.stderr
+    );
+    let refused = asked(&["--ductility", "2", "--periods", "0"]);
+    assert!(refused.stderr.contains("allowed above 0 s"), "{}", refused.stderr);
+}
+
+#[test]
 fn reference_figures_of_spectra() {
     let folder = folder("motion_figure");
     fs::write(folder.join("record.csv"), waves("g")).expect("written");

@@ -21,7 +21,7 @@ use crate::simulation::floors::{Floor, Floors};
 use crate::simulation::refused::of_model;
 use crate::{Error, Method, Origin, Scene};
 use pounding_motion::Record;
-use pounding_solver::{AnyRow, Budget, Clock, Integrator};
+use pounding_solver::{AnyRow, Budget, Clock, Elastic, Integrator, LinkLaw, Node};
 use pounding_text::Refused;
 
 pub use advice::{Advice, Goal, MethodTrial, QuantityGroup, StepSizes};
@@ -330,6 +330,17 @@ impl Simulation {
     /// Whether some columns yield smoothly.
     pub fn yields_smoothly(&self) -> bool {
         matches!(self.row, AnyRow::Mixed(_))
+    }
+
+    /// Whether a motion that is twice as strong makes all responses twice as large while nothing touches: nothing yields, slips or hangs
+    /// slack, nothing collapses under gravity, and all starts at rest.
+    pub fn is_proportional(&self) -> bool {
+        let AnyRow::Elastic(row) = &self.row else {
+            return false;
+        };
+        let is_linear = |link: &pounding_solver::Link| matches!(link.law, LinkLaw::Spring(spring) if spring.yield_force.is_infinite());
+        let rests = |node: &Node<Elastic>| node.initial_displacement == 0.0 && node.initial_velocity == 0.0;
+        !self.floors.has_gravity() && row.links().iter().all(is_linear) && row.nodes().iter().all(rests)
     }
 
     /// The record as the scene uses it: in m/s², scaled, reversed.

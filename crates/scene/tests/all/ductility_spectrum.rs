@@ -34,15 +34,31 @@ fn reference_a_lasting_step() {
     }
 }
 
-/// A ductility of 1 is the elastic structure; strength falls and the reduction grows with the ductility.
-#[test]
-fn limit_ductilities() {
+fn el_centro() -> Record {
     let text = include_str!(concat!(
         env!("CARGO_MANIFEST_DIR"),
         "/../../studies/records/el-centro-1940-ns-chopra.csv"
     ));
     let record = pounding_motion::read(text.as_bytes()).expect("the record is readable");
-    let record = record.into_record(9.81).expect("the record is finite");
+    record.into_record(9.81).expect("the record is finite")
+}
+
+/// A period of 0.5 s under El Centro (A. K. Chopra, *Dynamics of Structures*, 7.4): with a quarter and an eighth of the elastic strength the
+/// ductility is 3.11 and 7.36, the displacement 1.75 and 2.07 inches.
+#[test]
+fn reference_printed_ductilities() {
+    let record = el_centro();
+    for (ductility, reduction, inches) in [(3.11, 4.0, 1.75), (7.36, 8.0, 2.07)] {
+        let found = at(&record, 0.5, [0.05, ductility]);
+        assert!((found.strength_reduction / reduction - 1.0).abs() < 2e-3, "{found:?}");
+        assert!((found.displacement / (0.0254 * inches) - 1.0).abs() < 4e-3, "{found:?}");
+    }
+}
+
+/// A ductility of 1 is the elastic structure; strength falls and the reduction grows with the ductility.
+#[test]
+fn limit_ductilities() {
+    let record = el_centro();
     let elastic = response_spectrum(&record, &[0.5], 0.05).expect("a spectrum")[0];
     let one = at(&record, 0.5, [0.05, 1.0]);
     assert_eq!([one.yield_acceleration, one.strength_reduction], [elastic.pseudo_acceleration, 1.0]);

@@ -65,7 +65,7 @@ impl Sampling {
 
     /// An instant as a whole number of units and a rest \[s\]: the zero of a clock, and its reading.
     pub(crate) fn split(&self, instant: f64) -> [f64; 2] {
-        let zero = (instant / self.unit).floor() * self.unit;
+        let zero = whole(instant / self.unit) * self.unit;
         [zero, instant - zero]
     }
 
@@ -80,14 +80,40 @@ impl Sampling {
             reason = "time >= the first arrival; beyond the last sample nothing follows"
         )]
         // Limited to the last sample: a larger index might exceed every number of samples and could not be incremented.
-        let mut index = (((time - arrives(0)) / self.step) as usize).min(most);
-        while index < most && arrives(index + 1) <= time {
-            index += 1;
-        }
-        while index > 0 && arrives(index) > time {
-            index -= 1;
-        }
-        Some(index)
+        let index = (((time - arrives(0)) / self.step) as usize).min(most);
+        let is_it = arrives(index) <= time && (index == most || arrives(index + 1) > time);
+        Some(if is_it { index } else { beside(index, time, most, arrives) })
+    }
+}
+
+/// The last sample that has arrived, from one beside it. Rounding alone leads here: as a part of [`Sampling::last`] its loops would be
+/// made fast for many samples, and slow for none.
+#[cold]
+#[inline(never)]
+fn beside(mut index: usize, time: f64, most: usize, arrives: impl Fn(usize) -> f64) -> usize {
+    while index < most && arrives(index + 1) <= time {
+        index += 1;
+    }
+    while index > 0 && arrives(index) > time {
+        index -= 1;
+    }
+    index
+}
+
+/// The whole part of a number, which is no call for one of 0 or more.
+fn whole(number: f64) -> f64 {
+    /// Above it every number is whole.
+    const WHOLE: f64 = 9e15;
+    if (0.0..WHOLE).contains(&number) {
+        #[expect(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "0 or more, and far below the largest u64"
+        )]
+        let whole = number as u64;
+        whole as f64
+    } else {
+        number.floor()
     }
 }
 

@@ -130,6 +130,33 @@ fn limit_a_run_is_that_of_a_scene_with_a_scale() {
     }
 }
 
+/// A row that never yields runs once for each motion. The same row with columns that could yield, but do not, runs at every intensity.
+#[test]
+fn limit_a_proportional_row_has_the_widths_of_every_intensity() {
+    let structure = |name: &str, period: f64, more: &str| {
+        let damping = json!({"ratio": 0.05});
+        let mut storey = json!({"mass_kg": 1e5, "height_m": 3.0, "repeat": 2});
+        if !more.is_empty() {
+            storey[more] = json!(1.0);
+        }
+        json!({"building": {"name": name, "period_s": period, "damping": damping, "storeys": [storey]}})
+    };
+    let row = |more: &str| {
+        scene(&json!({
+            "structures": [structure("left", 0.9, more), structure("right", 0.5, "")],
+            "links": [{"between": [{"structure": "left", "floor": 2}, {"structure": "right", "floor": 2}], "law": {"dashpot": {"damping_n_s_per_m": 1e5}}}],
+        }))
+    };
+    let motions = scaled(suite("stripes-proportional"), IntensityMeasure::Pga);
+    let [once, every] = ["", "yield_drift_ratio"].map(|more| run(&row(more), &motions, &[State::Touch(None)]).expect("runs"));
+    assert_eq!(once.runs.len(), 4 * 2 * 4);
+    for (once, every) in once.runs.iter().zip(&every.runs) {
+        assert_eq!([once.motion, once.stripe], [every.motion, every.stripe]);
+        let [once, every] = [once, every].map(|run| run.found.as_ref().expect("it runs").required[0]);
+        assert!(every > 0.0 && (once / every - 1.0).abs() < 1e-9, "{once} {every}");
+    }
+}
+
 /// Pieces of work do not depend on the number of threads.
 #[test]
 fn limit_the_same_bits_on_any_number_of_threads() {

@@ -30,7 +30,7 @@ enum Command {
     Info(info::Arguments),
     /// Write a record as CSV, processed as asked for.
     Convert(convert::Arguments),
-    /// Print the response spectra of a record, by the exact method.
+    /// Print spectra of a record: response, constant ductility, Fourier.
     Spectrum(spectrum::Arguments),
 }
 
