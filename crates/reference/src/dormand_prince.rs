@@ -91,19 +91,23 @@ impl DormandPrince {
         motion.slope(at(0.0), &from.high, &mut slopes[0]);
         for (stage, (node, weights)) in STAGES.iter().enumerate() {
             let (first, others) = slopes.split_first_mut().expect("twelve slopes");
-            for index in 0..point.len() {
-                let start = first[index];
-                let mut sum = node * start;
-                for &(slope, weight) in *weights {
-                    sum += weight * (others[slope - 1][index] - start);
-                }
-                if stage + 1 == STAGES.len() {
-                    to.add(from, index, length * sum);
-                } else {
-                    point[index] = from.high[index] + (from.low[index] + length * sum);
+            // Slope by slope, in place of unknown by unknown: such loops run in vectors.
+            for (sum, start) in point.iter_mut().zip(&*first) {
+                *sum = node * start;
+            }
+            for &(slope, weight) in *weights {
+                for ((sum, start), other) in point.iter_mut().zip(&*first).zip(&others[slope - 1]) {
+                    *sum += weight * (other - start);
                 }
             }
-            if stage + 1 < STAGES.len() {
+            if stage + 1 == STAGES.len() {
+                for (index, sum) in point.iter().enumerate() {
+                    to.add(from, index, length * sum);
+                }
+            } else {
+                for ((point, high), low) in point.iter_mut().zip(&from.high).zip(&from.low) {
+                    *point = high + (low + length * *point);
+                }
                 motion.slope(at(node * length), point, &mut others[stage]);
             }
         }
@@ -114,13 +118,17 @@ impl DormandPrince {
     /// DOP853 divides by an estimate of order 3 to get an estimate of order 8. After a first touch the velocity is a σ⁵ + b σ¹⁰ + …. The
     /// method meets the first term exactly, which then hides the error of the second term (by observed factors of 20 to 400). The plain
     /// estimate is the cautious choice, and in free flight the longest step decides.
-    pub(super) fn error(&self, length: f64, scale: impl Fn(usize) -> f64) -> f64 {
+    pub(super) fn error(&mut self, length: f64, scale: impl Fn(usize) -> f64) -> f64 {
         let mut largest = 0.0;
-        for index in 0..self.point.len() {
-            let terms = ERROR.iter().map(|&(slope, weight)| weight * self.slopes[slope][index]);
-            let sum: f64 = terms.sum();
+        self.point.fill(0.0);
+        for (slope, weight) in ERROR {
+            for (sum, slope) in self.point.iter_mut().zip(&self.slopes[slope]) {
+                *sum += weight * slope;
+            }
+        }
+        for (index, sum) in self.point.iter().enumerate() {
             // A wall has neither motion nor scale.
-            if sum != 0.0 {
+            if *sum != 0.0 {
                 let error = length * sum.abs() / scale(index);
                 // A NaN error must stay NaN.
                 if error.is_nan() || error > largest {
