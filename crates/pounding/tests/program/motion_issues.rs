@@ -270,3 +270,25 @@ fn issue_a_folder_is_read_as_others_read_it() {
     assert_eq!(json["records"]["files"], 8);
     assert_eq!(json["records"]["events"], 2);
 }
+
+/// Every weak record of a folder had a sentence of its own.
+#[test]
+fn issue_weak_records_of_a_folder_share_a_sentence() {
+    let folder = folder("motion_issues_weak");
+    fs::create_dir(folder.join("records")).expect("a disk");
+    let told = |n: u32| {
+        for index in 0..n {
+            let text = crate::unusual::record(1.0 + 0.1 * f64::from(index), 0.05 + 0.01 * f64::from(index));
+            fs::write(folder.join("records").join(format!("weak-{index}.csv")), text).expect("a disk");
+        }
+        let printed = printed(&motion(&folder, &["info", "records"])).to_string();
+        printed.split_whitespace().collect::<Vec<_>>().join(" ")
+    };
+    assert_eq!(told(3).matches("usual is 0.02 to 3 g; its unit decides it").count(), 3);
+    let many = told(5);
+    assert!(
+        many.contains("Unusual found 5 peaks of 0.00") && many.contains("their units decide them: weak-0.csv, weak-1.csv,"),
+        "{many}"
+    );
+    assert!(!many.contains("its unit decides it"), "{many}");
+}

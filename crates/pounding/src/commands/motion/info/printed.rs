@@ -1,10 +1,10 @@
 //! What record files hold, for people and for programs.
 
 use pounding::assess::{LeftOutReason, Suite};
-use pounding::motion::{Interval, Reading};
+use pounding::motion::{Interval, Reading, Unusual};
 use pounding::report::{HeaderFacts, MeasuredRecord};
 use pounding::scene::{PairValues, SpectrumIntensities};
-use pounding::text::{Answer, Cell, Manner, NONE, Table, Where, cut, digits, percent, short};
+use pounding::text::{Answer, Cell, Manner, NONE, Table, Where, cut, digits, percent, short, two_digits};
 use serde_json::{Value, json};
 
 use super::{ListedMotion, MeasuredMotion};
@@ -137,12 +137,12 @@ fn of_several<'a>(motions: &[ListedMotion], suite: &Suite, gravity: f64) -> Answ
     let format = found.clone().map(|(_, found)| found.opened.file().format().name()).next();
     let of_file = [format!("File: {}", file.display()), format!("Format: {}", format.unwrap_or(NONE))];
     let unusual = found.clone().flat_map(|(motion, found)| {
-        let unusual = found.opened.file().unusual();
-        unusual
-            .iter()
-            .map(move |one| format!("{}: {one}", name(motion, of_one_file)))
-            .collect::<Vec<_>>()
+        let unusual = found.opened.file().unusual().iter();
+        unusual.map(move |one| (name(motion, of_one_file), one))
     });
+    let (peaks, others): (Vec<_>, Vec<_>) = unusual.partition(|(_, one)| matches!(one, Unusual::Peak { .. }));
+    let unusual = says_peaks(&peaks).into_iter();
+    let unusual = unusual.chain(others.iter().map(|(name, one)| format!("{name}: {one}")));
     let drifting = found.clone().filter(|(_, found)| found.drift.is_some());
     let drifting: Vec<String> = drifting.map(|(motion, _)| name(motion, of_one_file)).collect();
     let drift = (!drifting.is_empty()).then(|| format!("{}: {DRIFT}", drifting.join("; ")));
@@ -164,6 +164,31 @@ fn of_several<'a>(motions: &[ListedMotion], suite: &Suite, gravity: f64) -> Answ
         .say(Where::Terminal, "Unusual", unusual.collect())
         .say(Where::Terminal, "Drift", drift.into_iter().collect())
         .say(Where::Terminal, "Notes", note.map(String::from).into_iter().collect())
+}
+
+/// Most motions whose peaks are told one by one.
+const FEW: usize = 3;
+
+/// Unusual peaks of motions, in one sentence if there are many.
+fn says_peaks(peaks: &[(String, &Unusual)]) -> Vec<String> {
+    if peaks.len() <= FEW {
+        return peaks.iter().map(|(name, one)| format!("{name}: {one}")).collect();
+    }
+    let found = peaks
+        .iter()
+        .filter_map(|(_, one)| if let Unusual::Peak { found } = one { Some(*found) } else { None });
+    let (least, largest) = found.fold((f64::INFINITY, 0.0_f64), |(least, largest), one| (least.min(one), largest.max(one)));
+    let usual = Unusual::USUAL_PEAKS;
+    let names: Vec<&str> = peaks.iter().map(|(name, _)| name.as_str()).collect();
+    vec![format!(
+        "found {} peaks of {} to {} g in the files, usual is {} to {} g; their units decide them: {}",
+        peaks.len(),
+        two_digits(least),
+        two_digits(largest),
+        digits(*usual.start()),
+        digits(*usual.end()),
+        names.join(", ")
+    )]
 }
 
 /// The cause of a velocity at the end, and what to do.
