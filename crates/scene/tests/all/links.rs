@@ -338,7 +338,7 @@ fn extreme_links_that_are_refused() {
     scene "linked": links[0].law.viscous.exponent: found 0.35, allowed 1/n with a whole number n from 1 to 10, such as 0.5, 0.25 or 0.2; take the nearest one, or leave the brace out and integrate by the method rk4
     scene "linked": links[0].law.viscous.brace_stiffness_n_per_m: found none: a damper c |v|^α alone has no series at v = 0, which the exact method needs, allowed a number > 0; give the stiffness of its brace, or take the method rk4
     scene.toml, line 7, column 66: links[0].law: found `rope`, allowed are `spring`, `dashpot`, `maxwell`, `viscous`, `restrainer`
-    scene "linked": method: found newmark, which does not take `links`, allowed exact or rk4; leave `method` out: the exact method is the default
-    scene "linked": method: found accuracy, which does not take `links`, allowed exact or rk4; leave `method` out: the exact method is the default
+    scene "linked": method: found newmark, which does not take `links`, allowed exact, rk4 or central_difference; leave `method` out: the exact method is the default
+    scene "linked": method: found accuracy, which does not take `links`, allowed exact, rk4 or central_difference; leave `method` out: the exact method is the default
     "#);
 }
