@@ -9,8 +9,8 @@ use super::frame::Frame;
 use super::number::{Lanes, MOST_LANES, Mask};
 use super::rows::Rows;
 use super::scenes::Structure;
+use super::strikes::Strikes;
 use pounding_solver::formulas::Buildings;
-use pounding_solver::formulas::Link;
 use pounding_solver::formulas::{Below, damping_force};
 use pounding_solver::formulas::{FloorCoefficients, Floors, solve};
 
@@ -91,7 +91,7 @@ impl<S: Simd> Storeys<S> {
         let neighbours = [level.checked_sub(1), Some(level + 1)];
         let neighbours = neighbours.map(|level| building.get(level?));
         let zero = ground.like(0.0);
-        let (mut around, mut feels) = ([zero; 2], floor.contact.at_node.jumps());
+        let (mut around, mut feels) = ([zero; 2], floor.contact.restarts());
         for (velocity, neighbour) in around.iter_mut().zip(neighbours) {
             if let Some(neighbour) = neighbour {
                 *velocity = neighbour.contact.at_node.velocity;
@@ -103,7 +103,7 @@ impl<S: Simd> Storeys<S> {
         let before = self.accelerations[first + level] - rates.deceleration(velocities);
         let after = self.acceleration::<Column>(building, first, level, ground);
         let after = Number::select(feels, after, before);
-        (after, floor.contact.at_node.jumps() | (after - before).abs().exceeds(zero))
+        (after, floor.contact.restarts() | (after - before).abs().exceeds(zero))
     }
 }
 
@@ -225,7 +225,7 @@ impl<S: Simd, Column: SideBySideColumn> Frame<S, Column> for Storeys<S> {
 
     /// Through dashpots, the acceleration of a floor jumps with the velocity of its neighbours in the building.
     #[inline(always)]
-    fn restart(&mut self, structures: &mut [Structure<S, Column>], _: &[Link], ground: Lanes<S>) {
+    fn restart(&mut self, structures: &mut [Structure<S, Column>], _: &Strikes<S>, _: bool, ground: Lanes<S>) {
         for range in self.buildings.ranges() {
             let building = &mut structures[range.clone()];
             for level in 0..building.len() {
