@@ -183,6 +183,16 @@ impl<S: Simd, Column: RestoringForce<Lanes<S>>> Body<S, Column> {
 }
 
 impl<S: Simd> InContact<S> {
+    /// Takes part in the contact of this node. Forces of the node before are forgotten; those of structures that do not take part are 0, because
+    /// pairs take part until their force is.
+    #[inline(always)]
+    pub(super) fn come_near(&mut self) {
+        if !self.is_near {
+            let zero = self.force_from_left.like(0.0);
+            (self.force_from_left, self.force_from_right, self.is_near) = (zero, zero, true);
+        }
+    }
+
     /// Net force of neighbours and links \[N\].
     #[inline(always)]
     pub(super) fn pounding(&self) -> Lanes<S> {

@@ -163,17 +163,12 @@ impl<S: Simd, Column: SideBySideColumn, F: Frame<S, Column>> Group<S, Column, F>
     fn contact_step(&mut self, ground: Lanes<S>) {
         let zero = ground.like(0.0);
         let (mut jumps, mut busy) = (false, false);
-        for structure in &mut self.structures {
-            (structure.contact.force_from_left, structure.contact.force_from_right) = (zero, zero);
-        }
         for pair in &mut self.pairs {
             let touches = pair.deformation.reaches(zero);
             if !(pair.lingers || Lanes::any(touches)) {
                 continue;
             }
-            for place in pair.relation.places() {
-                self.structures[place].contact.is_near = true;
-            }
+            pair.relation.each_place(|place| self.structures[place].contact.come_near());
             if let Law::Impulsive(law) = pair.law {
                 jumps = true;
                 self.strikes.push(pair, law, touches);

@@ -40,7 +40,7 @@ impl<S: Simd> LaneLink<S> {
         let gather = |number: &dyn Fn(&Spring) -> f64| Lanes::new(simd, &links.map(|link| spring(link).map_or(f64::NAN, |it| number(&it))));
         let zero = Lanes::splat(simd, 0.0);
         Self {
-            relation: LaneRelation::new(simd, links.map(|link| link.relation), place),
+            relation: LaneRelation::new(simd, &links.map(|link| link.relation), place),
             spring: Bilinear::beside(|number| gather(&|spring| number(&spring.alone()))),
             damping: gather(&|spring| spring.damping),
             plastic: zero,
@@ -65,6 +65,10 @@ fn pull<S: Simd, Column: RestoringForce<Lanes<S>>>(
     structures: &mut [Body<S, Column>],
     velocity: impl Fn(&Body<S, Column>) -> Lanes<S>,
 ) {
+    // All keep the state from which velocities jump, because a link may pass a jump on to any of them.
+    for structure in structures.iter_mut() {
+        structure.contact.come_near();
+    }
     for link in links.iter_mut() {
         // A run alone adds the opening of the grounds, which is 0.
         let zero = link.force.like(0.0);
@@ -105,9 +109,8 @@ pub(super) fn jump<S: Simd, Column: RestoringForce<Lanes<S>>>(links: &mut [LaneL
     }
     for link in links.iter_mut() {
         let mut jumped = zero.exceeds(zero);
-        for place in link.relation.places() {
-            jumped = jumped | structures[place].contact.at_node.jumps();
-        }
+        link.relation
+            .each_place(|place| jumped = jumped | structures[place].contact.at_node.jumps());
         let feels: Mask<S> = jumped & link.damping.exceeds(zero);
         if !Lanes::any(feels) {
             continue;
@@ -115,9 +118,10 @@ pub(super) fn jump<S: Simd, Column: RestoringForce<Lanes<S>>>(links: &mut [LaneL
         let rate = link.relation.ahead(|place| structures[place].contact.at_node.jumped) + zero;
         let force = link.respond(rate);
         link.force = Number::select(feels, force, link.force);
-        for place in link.relation.places() {
-            structures[place].contact.relinked = structures[place].contact.relinked | feels;
-        }
+        link.relation.each_place(|place| {
+            let relinked = &mut structures[place].contact.relinked;
+            *relinked = *relinked | feels;
+        });
     }
     spread(links, structures);
 }
@@ -126,8 +130,6 @@ pub(super) fn jump<S: Simd, Column: RestoringForce<Lanes<S>>>(links: &mut [LaneL
 fn spread<S: Simd, Column: RestoringForce<Lanes<S>>>(links: &[LaneLink<S>], structures: &mut [Body<S, Column>]) {
     for structure in structures.iter_mut() {
         structure.contact.link_force = structure.contact.link_force.like(0.0);
-        // All keep the state from which velocities jump, because a link may pass a jump on to any of them.
-        structure.contact.is_near = true;
     }
     for link in links {
         link.relation.spread(link.force, |place, on_left, force| {

@@ -6,13 +6,17 @@ use super::number::{Lanes, MOST_LANES};
 use pounding_solver::{Point, Relation, Share};
 
 /// Two points that can meet, or the ends of a link, by the places of their structures.
-#[derive(Clone, Copy)]
-pub(super) struct LaneRelation<S: Simd> {
+pub(super) enum LaneRelation<S: Simd> {
+    /// On floors: most pairs, which need no numbers.
+    Floors([usize; 2]),
+    Points(Box<Points<S>>),
+}
+
+pub(super) struct Points<S: Simd> {
     points: [LanePoint<S>; 2],
     zero: Lanes<S>,
 }
 
-#[derive(Clone, Copy)]
 enum LanePoint<S: Simd> {
     Floor(usize),
     Share(Share<Lanes<S>>),
@@ -22,13 +26,16 @@ enum LanePoint<S: Simd> {
 impl<S: Simd> LaneRelation<S> {
     /// Relations of rows of a common shape; `place` gives the place of a node's structure.
     #[inline(always)]
-    pub(super) fn new(simd: S, relations: [Relation; MOST_LANES], place: impl Fn(usize) -> usize) -> Self {
+    pub(super) fn new(simd: S, relations: &[Relation; MOST_LANES], place: impl Fn(usize) -> usize) -> Self {
+        if let [Point::Floor(left), Point::Floor(right)] = relations[0].points() {
+            return Self::Floors([left, right].map(place));
+        }
         let lean = |side: usize| {
-            let lean = |relation: Relation| match relation.points()[side] {
+            let lean = |relation: &Relation| match relation.points()[side] {
                 Point::Share(share) => share.lean,
                 Point::Floor(_) | Point::Ground(_) => 0.0,
             };
-            Lanes::new(simd, &relations.map(lean))
+            Lanes::new(simd, &relations.each_ref().map(lean))
         };
         let point = |side: usize| match relations[0].points()[side] {
             Point::Floor(floor) => LanePoint::Floor(place(floor)),
@@ -39,25 +46,25 @@ impl<S: Simd> LaneRelation<S> {
                 lean: lean(side),
             }),
         };
-        Self {
+        Self::Points(Box::new(Points {
             points: [point(0), point(1)],
             zero: Lanes::splat(simd, 0.0),
-        }
+        }))
     }
 
     /// Left point minus right point, in a quantity of structures.
     #[inline(always)]
     pub(super) fn ahead(&self, quantity: impl Fn(usize) -> Lanes<S>) -> Lanes<S> {
-        let [left, right] = &self.points;
-        self.of(left, &quantity) - self.of(right, &quantity)
-    }
-
-    #[inline(always)]
-    fn of(&self, point: &LanePoint<S>, quantity: impl Fn(usize) -> Lanes<S>) -> Lanes<S> {
-        match *point {
-            LanePoint::Floor(floor) => quantity(floor),
-            LanePoint::Share(share) => share.of(quantity),
-            LanePoint::Ground => self.zero,
+        match self {
+            Self::Floors([left, right]) => quantity(*left) - quantity(*right),
+            Self::Points(points) => {
+                let [left, right] = points.points.each_ref().map(|point| match point {
+                    LanePoint::Floor(floor) => quantity(*floor),
+                    LanePoint::Share(share) => share.of(&quantity),
+                    LanePoint::Ground => points.zero,
+                });
+                left - right
+            }
         }
     }
 
@@ -65,23 +72,37 @@ impl<S: Simd> LaneRelation<S> {
     /// left point; its force is to be subtracted then.
     #[inline(always)]
     pub(super) fn spread(&self, force: Lanes<S>, mut give: impl FnMut(usize, bool, Lanes<S>)) {
-        for (point, on_left) in self.points.iter().zip([true, false]) {
-            match *point {
-                LanePoint::Floor(floor) => give(floor, on_left, force),
-                LanePoint::Share(share) => share.spread(force, |floor, force| give(floor, on_left, force)),
-                LanePoint::Ground => {}
+        match self {
+            Self::Floors([left, right]) => {
+                give(*left, true, force);
+                give(*right, false, force);
+            }
+            Self::Points(points) => {
+                for (point, on_left) in points.points.iter().zip([true, false]) {
+                    match point {
+                        LanePoint::Floor(floor) => give(*floor, on_left, force),
+                        LanePoint::Share(share) => share.spread(force, |floor, force| give(floor, on_left, force)),
+                        LanePoint::Ground => {}
+                    }
+                }
             }
         }
     }
 
-    /// Places of the structures that carry the points.
+    /// Visits the places of the structures that carry the points.
     #[inline(always)]
-    pub(super) fn places(&self) -> impl Iterator<Item = usize> + use<S> {
-        let carriers = self.points.map(|point| match point {
-            LanePoint::Floor(floor) => [Some(floor), None],
-            LanePoint::Share(share) => [share.base, share.other],
-            LanePoint::Ground => [None; 2],
-        });
-        carriers.into_iter().flatten().flatten()
+    pub(super) fn each_place(&self, mut visit: impl FnMut(usize)) {
+        match self {
+            Self::Floors(places) => places.iter().for_each(|place| visit(*place)),
+            Self::Points(points) => {
+                for point in &points.points {
+                    match point {
+                        LanePoint::Floor(floor) => visit(*floor),
+                        LanePoint::Share(Share { base, other, .. }) => base.iter().chain(other).for_each(|place| visit(*place)),
+                        LanePoint::Ground => {}
+                    }
+                }
+            }
+        }
     }
 }

@@ -68,7 +68,7 @@ impl<Column: SideBySideColumn> Rows<'_, Column> {
         LanePair {
             index,
             left: pairs[0].left(),
-            relation: LaneRelation::new(simd, pairs.map(|pair| pair.relation), place),
+            relation: LaneRelation::new(simd, &pairs.map(|pair| pair.relation), place),
             lingers: false,
             gap: Lanes::new(simd, &pairs.map(pounding_solver::Pair::gap)),
             law: Law::new(simd, pairs.map(|pair| pair.law), std::array::from_fn(mass)),

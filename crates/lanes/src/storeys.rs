@@ -140,6 +140,7 @@ impl<S: Simd, Column: SideBySideColumn, const IN_CONTACT: bool> Floors<Lanes<S>>
     fn hold(&mut self, level: usize, acceleration: Lanes<S>, increment: Lanes<S>) {
         if IN_CONTACT {
             self.accelerations[level] = acceleration;
+            self.structures[level].contact.is_near = false;
         }
         self.structures[level].motion.hold(increment);
     }

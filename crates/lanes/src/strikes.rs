@@ -14,7 +14,7 @@ use pounding_solver::formulas::{Closed, Jumps, Rounds, Touching};
 /// The impulsive pairs that touch, by the solver that their row has alone.
 pub(super) enum Strikes<S: Simd> {
     /// A chain: all scenes at once.
-    Chain(Rounds<Lanes<S>>),
+    Chain(Box<Rounds<Lanes<S>>>),
     /// Any other pairs: scene by scene.
     Any(Box<EachAlone<S>>),
 }
@@ -47,7 +47,7 @@ impl<S: Simd> Strikes<S> {
     pub(super) fn new<Column: SideBySideColumn>(simd: S, rows: Rows<'_, Column>, mobility: impl Fn(usize) -> Lanes<S>) -> Self {
         let (n, n_pairs) = (rows.lane(0).nodes().len(), rows.lane(0).pairs().len());
         if rows.lane(0).is_chain() {
-            return Self::Chain(Rounds::new((0..n).map(mobility).collect(), n_pairs));
+            return Self::Chain(Box::new(Rounds::new((0..n).map(mobility).collect(), n_pairs)));
         }
         let scene = |lane: usize| {
             let row = rows.lane(lane);
