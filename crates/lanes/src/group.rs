@@ -14,6 +14,7 @@ use super::rows::Rows;
 use super::scenes::{LanePair, Structure};
 use super::strikes::Strikes;
 use super::{PairSums, SceneSums, Shaken};
+use pounding_solver::formulas::{Rounds, Touching};
 
 /// Scenes of a common shape.
 pub(super) struct Group<S: Simd, Column: SideBySideColumn, F: Frame<S, Column>> {
@@ -25,7 +26,10 @@ pub(super) struct Group<S: Simd, Column: SideBySideColumn, F: Frame<S, Column>> 
     /// In the order of the rows.
     links: Vec<LaneLink<S>>,
     frame: F,
-    strikes: Strikes<S>,
+    rounds: Rounds<Lanes<S>>,
+    /// The scene of each lane if pairs form no chain, and the impulsive pairs that touch at this node.
+    strikes: Vec<Strikes>,
+    touching: Vec<(usize, Mask<S>)>,
     /// `None` if closings are not requested.
     closings: Option<Closings<S>>,
     /// Whether compliant pairs that touched at the node before must close their books.
@@ -45,7 +49,9 @@ impl<S: Simd, Column: SideBySideColumn, F: Frame<S, Column>> Group<S, Column, F>
             pairs: Vec::new(),
             links: Vec::new(),
             frame: F::of(simd, rows, method.time_step),
-            strikes: Strikes::new(simd, rows, |_| Lanes::splat(simd, 0.0)),
+            rounds: Rounds::new(Vec::new(), 0),
+            strikes: Vec::new(),
+            touching: Vec::with_capacity(rows.lane(0).pairs().len()),
             closings: None,
             busy: false,
             touching_steps: 0,
@@ -79,7 +85,8 @@ impl<S: Simd, Column: SideBySideColumn, F: Frame<S, Column>> Group<S, Column, F>
             let constants = &structures[frame.place(node)].constants;
             constants.coefficients.inverse_mass
         };
-        self.strikes = Strikes::new(self.simd, rows, mobility);
+        self.rounds = Rounds::new((0..n).map(mobility).collect(), pairs.len());
+        self.strikes = Strikes::of::<S, Column>(rows);
         let closings = || Closings::new(self.simd, self.time_step, n, pairs, |node| frame.place(node));
         self.closings = with_closings.then(closings);
         (self.busy, self.touching_steps) = (false, 0);
@@ -171,7 +178,12 @@ impl<S: Simd, Column: SideBySideColumn, F: Frame<S, Column>> Group<S, Column, F>
             pair.relation.each_place(|place| self.structures[place].contact.come_near());
             if let Law::Impulsive(law) = pair.law {
                 jumps = true;
-                self.strikes.push(pair, law, touches);
+                if self.strikes.is_empty() {
+                    let touching = Touching::on_one_ground(touches, law.factor);
+                    self.rounds.push(pair.index, pair.left, touching);
+                } else {
+                    self.touching.push((pair.index, touches));
+                }
             } else {
                 push::<S, Column>(pair, &mut self.structures, self.time_step);
                 pair.lingers = pair.tally.lingers();
@@ -190,18 +202,63 @@ impl<S: Simd, Column: SideBySideColumn, F: Frame<S, Column>> Group<S, Column, F>
     /// updated.
     #[inline(always)]
     fn jump(&mut self, ground: Lanes<S>) {
-        let (strikes, structures, pairs) = (&mut self.strikes, &mut self.structures, &mut self.pairs);
-        let frame = &self.frame;
-        if strikes.strike_all(|node| structures[frame.place(node)].contact.at_node.velocity) {
-            strikes.each_pair(|pair, impulse| pairs[pair].tally.strike(impulse));
-            strikes.each_node(|node, velocity| structures[frame.place(node)].contact.at_node.jumped = velocity);
-            links::jump(&mut self.links, structures);
-            self.frame.restart(structures, strikes, !self.links.is_empty(), ground);
+        let strikes = if self.strikes.is_empty() {
+            self.strike_chain()
+        } else {
+            self.strike_each()
+        };
+        if strikes {
+            links::jump(&mut self.links, &mut self.structures);
+            self.frame.restart(&mut self.structures, ground);
             if let Some(closings) = &mut self.closings {
-                strikes.each_node(|node, velocity| closings.jump(self.frame.place(node), velocity));
+                for (place, structure) in self.structures.iter().enumerate() {
+                    closings.jump(place, structure.contact.at_node.jumped);
+                }
             }
         }
-        strikes.clear();
+        self.rounds.clear();
+        self.touching.clear();
+    }
+
+    /// Strikes the pairs of a chain that touch; false if none approaches.
+    #[inline(always)]
+    fn strike_chain(&mut self) -> bool {
+        let (rounds, frame, structures) = (&mut self.rounds, &self.frame, &mut self.structures);
+        let strikes = rounds.strike_all(|node| structures[frame.place(node)].contact.at_node.velocity);
+        if strikes {
+            for (link, impulse) in rounds.struck() {
+                self.pairs[link.pair].tally.strike(impulse);
+                for node in [link.left, link.right] {
+                    structures[frame.place(node)].contact.at_node.jumped = rounds.velocity(node);
+                }
+            }
+        }
+        strikes
+    }
+
+    /// Strikes other pairs that touch, lane by lane; false if none approaches.
+    #[inline(always)]
+    fn strike_each(&mut self) -> bool {
+        let mut any = false;
+        for (lane, scene) in self.strikes.iter_mut().enumerate() {
+            for (node, velocity) in scene.velocities.iter_mut().enumerate() {
+                *velocity = self.structures[self.frame.place(node)].contact.at_node.velocity.lane(lane);
+            }
+            let Some(struck) = scene.strike_all(lane, &self.touching) else {
+                continue;
+            };
+            any = true;
+            for (pair, impulse) in struck {
+                let mut impulses = Lanes::splat(self.simd, 0.0);
+                impulses.set(lane, impulse);
+                self.pairs[pair].tally.strike(impulses);
+            }
+            for (node, velocity) in scene.velocities.iter().enumerate() {
+                let at_node = &mut self.structures[self.frame.place(node)].contact.at_node;
+                at_node.jumped.set(lane, *velocity);
+            }
+        }
+        any
     }
 }
 

@@ -9,7 +9,6 @@ use super::frame::Frame;
 use super::number::{Lanes, MOST_LANES, Mask};
 use super::rows::Rows;
 use super::scenes::Structure;
-use super::strikes::Strikes;
 use pounding_solver::formulas::Buildings;
 use pounding_solver::formulas::{Below, damping_force};
 use pounding_solver::formulas::{FloorCoefficients, Floors, solve};
@@ -226,7 +225,7 @@ impl<S: Simd, Column: SideBySideColumn> Frame<S, Column> for Storeys<S> {
 
     /// Through dashpots, the acceleration of a floor jumps with the velocity of its neighbours in the building.
     #[inline(always)]
-    fn restart(&mut self, structures: &mut [Structure<S, Column>], _: &Strikes<S>, _: bool, ground: Lanes<S>) {
+    fn restart(&mut self, structures: &mut [Structure<S, Column>], ground: Lanes<S>) {
         for range in self.buildings.ranges() {
             let building = &mut structures[range.clone()];
             for level in 0..building.len() {

@@ -36,11 +36,11 @@ impl Integrator {
         self.limit(pair, sub_steps, pair.damping_ratio)
     }
 
-    /// Largest stable time step \[s\] of the central difference method in a row with links while nothing touches, if this step is not below
-    /// it; `None` if it is, for a row without links, and for other methods.
+    /// Largest stable time step \[s\] of the central difference method in a row with links while nothing touches. Returns `None` if the given
+    /// step is below this limit, if the row has no links, and for other methods.
     ///
-    /// With the stiffness K of columns and links, and the dashpots C of links, whose rate is that of the two increments before, steps h are
-    /// stable as long as 4M − h²K − 4hC is positive definite. Dashpots of storeys are part of the equations and set no limit.
+    /// Let K be the stiffness of columns and links, and C the dashpots of links. Steps h are stable as long as 4M − h²K − 4hC is positive
+    /// definite. Dashpots of storeys are part of the equations and set no limit.
     pub fn limit_of_links(&self, row: &AnyRow, time_step: f64) -> Option<f64> {
         if row.links().is_empty() || !matches!(self, Self::CentralDifference(_)) {
             return None;

@@ -64,8 +64,8 @@ impl Sweep {
     /// Appends the numbers of a scene to `numbers`, in the order of the columns. If least openings are requested, it also appends to
     /// `least` the smallest magnitude by which each error is divided.
     ///
-    /// Returns false if the lanes have no results for the scene, if one of its storeys comes near a collapse, which ends a run, or if the
-    /// lanes doubt the results and a verdict is requested. The scene then runs separately.
+    /// Returns false if the lanes have no results for the scene, or doubt them and a verdict is requested. Also returns false if a storey comes
+    /// near a collapse, which ends a run. The scene then runs separately.
     pub(super) fn tell(
         &self,
         prepared: &Simulation,
@@ -100,7 +100,7 @@ impl Sweep {
     }
 }
 
-/// Part of the drift of a collapse \[–\] from which on a run alone decides: by the exact method the drift in lanes has an error of about the
+/// Part of the drift of a collapse \[–\] above which a run alone decides: by the exact method the drift in lanes has an error of about the
 /// tolerance.
 const NEAR_COLLAPSE: f64 = 0.9;
 

@@ -8,8 +8,8 @@
 //! velocity and the acceleration at the node: Δt u̇ + Δt² ü/2. For a smooth motion this is the same equation, so that a restart costs no
 //! accuracy.
 //!
-//! Links pull at nodes, before the equations are solved: their springs by the displacements there, their dashpots by velocities that the last
-//! two increments extrapolate to the node, which is of second order.
+//! Links pull at nodes before the equations are solved. Their springs follow the displacements there. Their dashpots follow velocities that
+//! the last two increments extrapolate to the node, which is of second order.
 //!
 //! Floors that stand on floors share M/Δt² + C/2Δt through the dashpots between them: a tridiagonal system for every building
 //! (`building.rs`). Rows of structures of one storey have a separate loop.
@@ -214,7 +214,7 @@ pub fn first_increment<N: Number>([velocity, acceleration]: [N; 2], dt: f64) -> 
     step * (velocity - half * acceleration)
 }
 
-/// The increment before the first one \[m\], so that both [extrapolate](Coefficients::extrapolated) to the velocity at t = 0.
+/// The increment before the first one \[m\]: [`Coefficients::extrapolated`] makes the velocity at t = 0 of both.
 #[inline(always)]
 pub fn increment_before<N: Number>(first: N, acceleration: N, dt: f64) -> N {
     first - first.like(dt * dt) * acceleration
