@@ -321,15 +321,6 @@ fn extreme_links_that_are_refused() {
             format!("{{ {two}, {spring} }}"),
         ),
         ("method.accuracy = 0.01".into(), format!("{{ {two}, {spring} }}")),
-        (
-            "method.central_difference.time_step_s = 0.001".into(),
-            format!("{{ {two}, law.viscous = {{ coefficient = 1e5, exponent = 0.5 }} }}"),
-        ),
-        // Stable without the link.
-        (
-            "method.central_difference.time_step_s = 0.02".into(),
-            format!("{{ {two}, law.spring.stiffness_n_per_m = 1e9 }}"),
-        ),
     ];
     let all = all.map(|(method, link)| refused(&method, &link));
     insta::assert_snapshot!(all.join("\n"), @r#"
@@ -349,6 +340,22 @@ fn extreme_links_that_are_refused() {
     scene.toml, line 7, column 66: links[0].law: found `rope`, allowed are `spring`, `dashpot`, `maxwell`, `viscous`, `restrainer`
     scene "linked": method: found newmark, which does not take `links`, allowed exact, rk4 or central_difference; leave `method` out: the exact method is the default
     scene "linked": method: found accuracy, which does not take `links`, allowed exact, rk4 or central_difference; leave `method` out: the exact method is the default
+    "#);
+}
+
+/// The step of the second one is stable without the link.
+#[test]
+fn extreme_links_that_central_differences_refuse() {
+    let between = "between = [{ structure = 1 }, { structure = 3 }]";
+    let all = [
+        (0.001, "viscous = { coefficient = 1e5, exponent = 0.5 }"),
+        (0.02, "spring.stiffness_n_per_m = 1e9"),
+    ];
+    let all = all.map(|(time_step, law)| {
+        let method = format!("method.central_difference.time_step_s = {time_step}");
+        refused(&method, &format!("{{ {between}, law.{law} }}"))
+    });
+    insta::assert_snapshot!(all.join("\n"), @r#"
     scene "linked": links[0].law.viscous.brace_stiffness_n_per_m: found none: a damper c |v|^α alone is too steep at v = 0 for central differences, allowed a number > 0; give the stiffness of its brace, or take the method rk4
     scene "linked": method.central_difference.time_step_s: found 0.02, allowed less than 0.01397809 (with its links the row grows without bound from there on); contact can ask for less
     "#);

@@ -430,6 +430,32 @@ fn reference_books_of_central_differences_with_links() {
     }
 }
 
+/// Peaks of links approach those of the exact method, which finds them inside its pieces.
+#[test]
+fn reference_peaks_of_links_in_central_differences() {
+    let motion = ground();
+    let excitation = Excitation::new(0.01, &motion).expect("finite");
+    for (name, law) in laws() {
+        let row = tower_beside_house(law, vec![]);
+        let peaks = |method: Integrator| {
+            let mut peaks = LinkPeaks::new(row.links());
+            method.watch(&row, excitation, clock(2.5e-4, 4.0), &mut peaks).expect("it runs");
+            let LinkPeak {
+                push,
+                pull,
+                shortening,
+                elongation,
+            } = peaks.of(0);
+            [push, pull, shortening, elongation].map(|peak| peak.value)
+        };
+        let (found, exact) = (peaks(CENTRAL), peaks(EXACT));
+        assert!(exact[1] < -1e3 && exact[3] < -1e-3, "{name}: the link must act, {exact:?}");
+        for (found, exact) in found.iter().zip(&exact) {
+            assert!((found - exact).abs() <= 1e-4 * exact.abs(), "{name}: {found} instead of {exact}");
+        }
+    }
+}
+
 /// Impacts restart what dashpots join: the response approaches that of the exact method.
 #[test]
 fn order_central_differences_with_impacts_and_dashpots() {
