@@ -6,8 +6,8 @@ use pounding_contact::Number;
 use super::column::SideBySideColumn;
 use super::number::{Lanes, Mask};
 use pounding_solver::formulas::Coefficients;
-use pounding_solver::formulas::first_increment;
 use pounding_solver::formulas::{Dashpot, damping_force};
+use pounding_solver::formulas::{first_increment, increment_before};
 use pounding_solver::{Node, RestoringForce};
 
 /// A structure: its constants, and its state from step to step.
@@ -49,6 +49,9 @@ pub(super) struct InContact<S: Simd> {
     /// Pounding forces \[N\]. Those of compliant pairs are updated at every such node.
     pub(super) force_from_left: Lanes<S>,
     pub(super) force_from_right: Lanes<S>,
+    /// Net force of links \[N\], updated at every node, and lanes in which it has jumped with velocities at this node.
+    pub(super) link_force: Lanes<S>,
+    pub(super) relinked: Mask<S>,
     /// The state at t = 0, and at nodes at which impulsive pairs touch.
     pub(super) at_node: AtNode<S>,
 }
@@ -109,6 +112,8 @@ impl<S: Simd, Column: RestoringForce<Lanes<S>>> Body<S, Column> {
                 is_near: false,
                 force_from_left: zero,
                 force_from_right: zero,
+                link_force: zero,
+                relinked: zero.exceeds(zero),
                 at_node: AtNode {
                     displacement,
                     velocity,
@@ -125,7 +130,7 @@ impl<S: Simd, Column: RestoringForce<Lanes<S>>> Body<S, Column> {
         let time_step = self.constants.coefficients.time_step;
         let increment = first_increment([self.contact.at_node.velocity, acceleration], time_step);
         self.motion.increment = increment;
-        self.motion.earlier = increment;
+        self.motion.earlier = increment_before(increment, acceleration, time_step);
     }
 
     /// The step from a node at which no lane touches a neighbour.
@@ -144,7 +149,9 @@ impl<S: Simd, Column: RestoringForce<Lanes<S>>> Body<S, Column> {
         if jumps {
             self.contact.at_node.displacement = passed.displacement;
             self.contact.at_node.restoring_force = passed.restoring_force;
-            self.contact.at_node.velocity = self.velocity_before();
+            let velocity = self.velocity_before();
+            self.contact.at_node.velocity = velocity;
+            self.contact.at_node.jumped = velocity;
         }
     }
 
@@ -176,10 +183,26 @@ impl<S: Simd, Column: RestoringForce<Lanes<S>>> Body<S, Column> {
 }
 
 impl<S: Simd> InContact<S> {
-    /// Net pounding force \[N\].
+    /// Takes part in the contact of this node. Forces of the node before are forgotten; those of structures that do not take part are 0, because
+    /// pairs take part until their force is.
+    #[inline(always)]
+    pub(super) fn come_near(&mut self) {
+        if !self.is_near {
+            let zero = self.force_from_left.like(0.0);
+            (self.force_from_left, self.force_from_right, self.is_near) = (zero, zero, true);
+        }
+    }
+
+    /// Net force of neighbours and links \[N\].
     #[inline(always)]
     pub(super) fn pounding(&self) -> Lanes<S> {
-        self.force_from_left + self.force_from_right
+        self.force_from_left + self.force_from_right + self.link_force
+    }
+
+    /// Lanes in which the velocity or the force of a link has jumped.
+    #[inline(always)]
+    pub(super) fn restarts(&self) -> Mask<S> {
+        self.at_node.jumps() | self.relinked
     }
 }
 
@@ -231,6 +254,8 @@ impl<S: Simd, Column: RestoringForce<Lanes<S>>> Constants<S, Column> {
         let increment = Coefficients::restarted(time_step, node.jumped, acceleration);
         let displacement = node.displacement + increment;
         motion.increment = Number::select(lanes, increment, motion.increment);
+        let earlier = first_increment([node.jumped, acceleration], time_step);
+        motion.earlier = Number::select(lanes, earlier, motion.earlier);
         motion.displacement = Number::select(lanes, displacement, motion.displacement);
     }
 
@@ -255,7 +280,13 @@ impl<S: Simd, Memory> LaneMotion<S, Memory> {
         self.extremes.peak(self.displacement, lane)
     }
 
-    /// Stores a part of the next increment \[m\], in place of the second-last increment, which no step needs.
+    /// The increment before the last one, and the last one \[m\].
+    #[inline(always)]
+    pub(super) fn increments(&self) -> [Lanes<S>; 2] {
+        [self.earlier, self.increment]
+    }
+
+    /// Stores a part of the next increment \[m\], in place of the second-last increment, which no step needs any more.
     #[inline(always)]
     pub(super) fn hold(&mut self, increment: Lanes<S>) {
         self.earlier = increment;

@@ -83,29 +83,26 @@ struct Gap<S: Simd> {
 }
 
 impl<S: Simd> Closings<S> {
-    /// Closings of these pairs, listed by the node of the left neighbour, for steps of this length \[s\]; `place` gives the place of a
-    /// node's structure.
+    /// Closings of these pairs of a chain of `n` nodes, for steps of this length \[s\]; `place` gives the place of a node's structure.
     #[inline(always)]
-    pub(super) fn new(simd: S, time_step: f64, pairs: &[Option<LanePair<S>>], place: impl Fn(usize) -> usize) -> Self {
+    pub(super) fn new(simd: S, time_step: f64, n: usize, pairs: &[LanePair<S>], place: impl Fn(usize) -> usize) -> Self {
         let zero = Lanes::splat(simd, 0.0);
-        let gap = |(left, pair): (usize, &Option<LanePair<S>>)| {
-            Some(Gap {
-                pair: pair.as_ref()?.index,
-                places: [left, left + 1].map(&place),
-                last: Apart {
-                    time: zero,
-                    displacement: zero,
-                    velocity: zero,
-                },
+        let gap = |pair: &LanePair<S>| Gap {
+            pair: pair.index,
+            places: [pair.left, pair.left + 1].map(&place),
+            last: Apart {
+                time: zero,
                 displacement: zero,
-                nearest: Nearest::new(simd),
-            })
+                velocity: zero,
+            },
+            displacement: zero,
+            nearest: Nearest::new(simd),
         };
         Self {
             time_step,
             node: 0,
-            velocities: vec![zero; pairs.len()],
-            gaps: pairs.iter().enumerate().filter_map(gap).collect(),
+            velocities: vec![zero; n],
+            gaps: pairs.iter().map(gap).collect(),
         }
     }
 

@@ -6,7 +6,6 @@ use super::column::SideBySideColumn;
 use super::number::Lanes;
 use super::rows::Rows;
 use super::scenes::Structure;
-use pounding_solver::formulas::Link;
 
 /// How the structures of rows of a common shape, or the floors of their buildings, advance from a node under a ground acceleration
 /// \[m/s²\].
@@ -29,8 +28,8 @@ pub(super) trait Frame<S: Simd, Column: SideBySideColumn>: Sized {
     /// The step from a node at which some lane touches. `jumps` keeps the state from which velocity jumps start.
     fn step_in_contact(&mut self, structures: &mut [Structure<S, Column>], ground: Lanes<S>, jumps: bool);
 
-    /// Restarts the structures hit by these impacts from their new velocities.
-    fn restart(&mut self, structures: &mut [Structure<S, Column>], struck: &[Link], ground: Lanes<S>);
+    /// Restarts the structures that impacts have hit, and those to which dashpots pass them on, from their new velocities.
+    fn restart(&mut self, structures: &mut [Structure<S, Column>], ground: Lanes<S>);
 
     /// Drift of largest magnitude of the storey below the floor at a place, in a lane \[m\]; `None` if lanes cannot decide its sign.
     fn peak_drift(&self, structures: &[Structure<S, Column>], place: usize, lane: usize) -> Option<f64>;
@@ -72,7 +71,7 @@ impl<S: Simd, Column: SideBySideColumn> Frame<S, Column> for Single {
     #[inline(always)]
     fn step_in_contact(&mut self, structures: &mut [Structure<S, Column>], ground: Lanes<S>, jumps: bool) {
         for structure in structures {
-            if structure.contact.is_near {
+            if structure.contact.is_near || jumps {
                 structure.step_in_contact(ground, jumps);
             } else {
                 structure.step(ground);
@@ -81,14 +80,10 @@ impl<S: Simd, Column: SideBySideColumn> Frame<S, Column> for Single {
     }
 
     #[inline(always)]
-    fn restart(&mut self, structures: &mut [Structure<S, Column>], struck: &[Link], ground: Lanes<S>) {
-        for link in struck {
-            // The structure shared by two pairs was restarted with the first pair.
-            let first = if link.is_joined { link.right } else { link.left };
-            for structure in &mut structures[first..=link.right] {
-                let jumps = structure.contact.at_node.jumps();
-                structure.restart(structure.acceleration(ground), jumps);
-            }
+    fn restart(&mut self, structures: &mut [Structure<S, Column>], ground: Lanes<S>) {
+        for structure in structures {
+            let lanes = structure.contact.restarts();
+            structure.restart(structure.acceleration(ground), lanes);
         }
     }
 

@@ -3,17 +3,17 @@
 use fearless_simd::Simd;
 use pounding_contact::Number;
 
-use super::body::Body;
 use super::books::Push;
 use super::closings::Closings;
 use super::column::SideBySideColumn;
 use super::frame::Frame;
 use super::law::Law;
+use super::links::{self, LaneLink};
 use super::number::{Lanes, Mask};
 use super::rows::Rows;
 use super::scenes::{LanePair, Structure};
+use super::strikes::Strikes;
 use super::{PairSums, SceneSums, Shaken};
-use pounding_solver::RestoringForce;
 use pounding_solver::formulas::{Rounds, Touching};
 
 /// Scenes of a common shape.
@@ -21,10 +21,15 @@ pub(super) struct Group<S: Simd, Column: SideBySideColumn, F: Frame<S, Column>> 
     pub(super) simd: S,
     time_step: f64,
     pub(super) structures: Vec<Structure<S, Column>>,
-    /// For every node, the pair with its structure as left neighbour.
-    pub(super) pairs: Vec<Option<LanePair<S>>>,
+    /// In the order of the rows.
+    pub(super) pairs: Vec<LanePair<S>>,
+    /// In the order of the rows.
+    links: Vec<LaneLink<S>>,
     frame: F,
     rounds: Rounds<Lanes<S>>,
+    /// The scene of each lane if pairs form no chain, and the impulsive pairs that touch at this node.
+    strikes: Vec<Strikes>,
+    touching: Vec<(usize, Mask<S>)>,
     /// `None` if closings are not requested.
     closings: Option<Closings<S>>,
     /// Whether compliant pairs that touched at the node before must close their books.
@@ -42,8 +47,11 @@ impl<S: Simd, Column: SideBySideColumn, F: Frame<S, Column>> Group<S, Column, F>
             time_step: method.time_step,
             structures: Vec::new(),
             pairs: Vec::new(),
+            links: Vec::new(),
             frame: F::of(simd, rows, method.time_step),
-            rounds: Rounds::new(Vec::new(), rows.lane(0).pairs().len()),
+            rounds: Rounds::new(Vec::new(), 0),
+            strikes: Vec::new(),
+            touching: Vec::with_capacity(rows.lane(0).pairs().len()),
             closings: None,
             busy: false,
             touching_steps: 0,
@@ -68,15 +76,18 @@ impl<S: Simd, Column: SideBySideColumn, F: Frame<S, Column>> Group<S, Column, F>
         for place in 0..n {
             structures.push(rows.structure(self.simd, frame.node(place), self.time_step));
         }
-        for left in 0..n {
-            pairs.push(rows.pair(self.simd, left));
+        for index in 0..rows.lane(0).pairs().len() {
+            pairs.push(rows.pair(self.simd, index, |node| frame.place(node)));
         }
+        let link = |index| LaneLink::new(self.simd, rows, index, |node| frame.place(node));
+        self.links = (0..rows.lane(0).links().len()).map(link).collect();
         let mobility = |node: usize| {
             let constants = &structures[frame.place(node)].constants;
             constants.coefficients.inverse_mass
         };
-        self.rounds.renew((0..n).map(mobility));
-        let closings = || Closings::new(self.simd, self.time_step, pairs, |node| frame.place(node));
+        self.rounds = Rounds::new((0..n).map(mobility).collect(), pairs.len());
+        self.strikes = Strikes::of::<S, Column>(rows);
+        let closings = || Closings::new(self.simd, self.time_step, n, pairs, |node| frame.place(node));
         self.closings = with_closings.then(closings);
         (self.busy, self.touching_steps) = (false, 0);
     }
@@ -84,6 +95,7 @@ impl<S: Simd, Column: SideBySideColumn, F: Frame<S, Column>> Group<S, Column, F>
     /// Begins a run on a ground with this acceleration at t = 0 \[m/s²\].
     #[inline(always)]
     pub(super) fn begin(&mut self, ground: Lanes<S>) {
+        links::begin(&mut self.links, &mut self.structures);
         self.frame.begin(&mut self.structures, ground);
     }
 
@@ -94,7 +106,11 @@ impl<S: Simd, Column: SideBySideColumn, F: Frame<S, Column>> Group<S, Column, F>
         if let Some(closings) = &mut self.closings {
             closings.look(&self.structures);
         }
-        if touches || self.busy {
+        let is_linked = !self.links.is_empty();
+        if is_linked {
+            links::pull_at_node(&mut self.links, &mut self.structures, self.time_step);
+        }
+        if touches || self.busy || is_linked {
             self.contact_step(ground);
             self.touching_steps += u64::from(touches);
         } else {
@@ -122,7 +138,7 @@ impl<S: Simd, Column: SideBySideColumn, F: Frame<S, Column>> Group<S, Column, F>
             ];
             tallies.take_floor(scene, node, peaks);
         }
-        for pair in self.pairs.iter().flatten() {
+        for pair in &self.pairs {
             let closings = self.closings.as_ref();
             let sums = PairSums {
                 closing: closings.and_then(|closings| closings.of(pair.index, lane)),
@@ -140,13 +156,11 @@ impl<S: Simd, Column: SideBySideColumn, F: Frame<S, Column>> Group<S, Column, F>
     fn deform(&mut self) -> bool {
         let zero = Lanes::splat(self.simd, 0.0);
         let mut touching = Mask::splat(self.simd, false);
-        for left in 1..self.structures.len() {
-            if let Some(pair) = &mut self.pairs[left - 1] {
-                let displacement = |node| self.structures[self.frame.place(node)].motion.displacement;
-                let ahead = displacement(left - 1) - displacement(left);
-                pair.deformation = ahead - pair.gap;
-                touching = touching | pair.deformation.reaches(zero);
-            }
+        let structures = &self.structures;
+        for pair in &mut self.pairs {
+            let ahead = pair.relation.ahead(|place| structures[place].motion.displacement);
+            pair.deformation = ahead - pair.gap;
+            touching = touching | pair.deformation.reaches(zero);
         }
         Lanes::any(touching)
     }
@@ -154,26 +168,24 @@ impl<S: Simd, Column: SideBySideColumn, F: Frame<S, Column>> Group<S, Column, F>
     /// A step from a node at which some lane touches, or touched at the node before.
     #[inline(always)]
     fn contact_step(&mut self, ground: Lanes<S>) {
+        let zero = ground.like(0.0);
         let (mut jumps, mut busy) = (false, false);
-        for left in 1..self.structures.len() {
-            let Some(pair) = &mut self.pairs[left - 1] else {
-                continue;
-            };
-            let touches = pair.deformation.reaches(ground.like(0.0));
+        for pair in &mut self.pairs {
+            let touches = pair.deformation.reaches(zero);
             if !(pair.lingers || Lanes::any(touches)) {
                 continue;
             }
-            let places = [left - 1, left].map(|node| self.frame.place(node));
-            let neighbours = self.structures.get_disjoint_mut(places);
-            let neighbours = neighbours.expect("floors of a row lie at places of their own");
-            neighbours[0].contact.is_near = true;
-            neighbours[1].contact.is_near = true;
+            pair.relation.each_place(|place| self.structures[place].contact.come_near());
             if let Law::Impulsive(law) = pair.law {
                 jumps = true;
-                let touching = Touching::on_one_ground(touches, law.factor);
-                self.rounds.push(pair.index, left - 1, touching);
+                if self.strikes.is_empty() {
+                    let touching = Touching::on_one_ground(touches, law.factor);
+                    self.rounds.push(pair.index, pair.left, touching);
+                } else {
+                    self.touching.push((pair.index, touches));
+                }
             } else {
-                push(pair, neighbours, self.time_step);
+                push::<S, Column>(pair, &mut self.structures, self.time_step);
                 pair.lingers = pair.tally.lingers();
                 busy |= pair.lingers;
             }
@@ -182,20 +194,78 @@ impl<S: Simd, Column: SideBySideColumn, F: Frame<S, Column>> Group<S, Column, F>
         self.frame.step_in_contact(&mut self.structures, ground, jumps);
         self.arrive();
         if jumps {
-            let closings = self.closings.as_mut();
-            let (structures, pairs) = (&mut self.structures, &mut self.pairs);
-            jump(&mut self.rounds, &mut self.frame, structures, pairs, ground, closings);
+            self.jump(ground);
         }
+    }
+
+    /// Applies velocity jumps at a node to impulsive pairs that touch and approach. Structures that jump are restarted, and closings are
+    /// updated.
+    #[inline(always)]
+    fn jump(&mut self, ground: Lanes<S>) {
+        let strikes = if self.strikes.is_empty() {
+            self.strike_chain()
+        } else {
+            self.strike_each()
+        };
+        if strikes {
+            links::jump(&mut self.links, &mut self.structures);
+            self.frame.restart(&mut self.structures, ground);
+            if let Some(closings) = &mut self.closings {
+                for (place, structure) in self.structures.iter().enumerate() {
+                    closings.jump(place, structure.contact.at_node.jumped);
+                }
+            }
+        }
+        self.rounds.clear();
+        self.touching.clear();
+    }
+
+    /// Strikes the pairs of a chain that touch; false if none approaches.
+    #[inline(always)]
+    fn strike_chain(&mut self) -> bool {
+        let (rounds, frame, structures) = (&mut self.rounds, &self.frame, &mut self.structures);
+        let strikes = rounds.strike_all(|node| structures[frame.place(node)].contact.at_node.velocity);
+        if strikes {
+            for (link, impulse) in rounds.struck() {
+                self.pairs[link.pair].tally.strike(impulse);
+                for node in [link.left, link.right] {
+                    structures[frame.place(node)].contact.at_node.jumped = rounds.velocity(node);
+                }
+            }
+        }
+        strikes
+    }
+
+    /// Strikes other pairs that touch, lane by lane; false if none approaches.
+    #[inline(always)]
+    fn strike_each(&mut self) -> bool {
+        let mut any = false;
+        for (lane, scene) in self.strikes.iter_mut().enumerate() {
+            for (node, velocity) in scene.velocities.iter_mut().enumerate() {
+                *velocity = self.structures[self.frame.place(node)].contact.at_node.velocity.lane(lane);
+            }
+            let Some(struck) = scene.strike_all(lane, &self.touching) else {
+                continue;
+            };
+            any = true;
+            for (pair, impulse) in struck {
+                let mut impulses = Lanes::splat(self.simd, 0.0);
+                impulses.set(lane, impulse);
+                self.pairs[pair].tally.strike(impulses);
+            }
+            for (node, velocity) in scene.velocities.iter().enumerate() {
+                let at_node = &mut self.structures[self.frame.place(node)].contact.at_node;
+                at_node.jumped.set(lane, *velocity);
+            }
+        }
+        any
     }
 }
 
-/// A structure and its right neighbour.
-type Neighbours<'a, S, Column> = [&'a mut Body<S, Column>; 2];
-
 /// Gives a compliant pair its force.
 #[inline(always)]
-fn push<S: Simd, Column: RestoringForce<Lanes<S>>>(pair: &mut LanePair<S>, [left, right]: Neighbours<'_, S, Column>, time_step: f64) {
-    let closing = left.motion.increment - right.motion.increment;
+fn push<S: Simd, Column: SideBySideColumn>(pair: &mut LanePair<S>, structures: &mut [Structure<S, Column>], time_step: f64) {
+    let closing = pair.relation.ahead(|place| structures[place].motion.increment);
     let rate = closing / closing.like(time_step);
     let Some(force) = pair.law.force(pair.deformation, rate) else {
         return;
@@ -204,55 +274,15 @@ fn push<S: Simd, Column: RestoringForce<Lanes<S>>>(pair: &mut LanePair<S>, [left
     let push = Push {
         force,
         impulse: force.like(0.5 * time_step) * (pair.tally.last() + force),
-        rate: left.velocity_before() - right.velocity_before(),
+        rate: pair.relation.ahead(|place| structures[place].velocity_before()),
     };
     pair.tally.follow(push, overlaps);
-    left.contact.force_from_right = -force;
-    right.contact.force_from_left = force;
-}
-
-/// Applies velocity jumps at a node to impulsive pairs that touch and approach. Structures that jump are restarted, and closings are
-/// updated.
-#[inline(always)]
-fn jump<S: Simd, Column: SideBySideColumn>(
-    rounds: &mut Rounds<Lanes<S>>,
-    frame: &mut impl Frame<S, Column>,
-    structures: &mut [Structure<S, Column>],
-    pairs: &mut [Option<LanePair<S>>],
-    ground: Lanes<S>,
-    closings: Option<&mut Closings<S>>,
-) {
-    if strike_all(rounds, frame, structures, pairs) {
-        frame.restart(structures, rounds.links(), ground);
-        if let Some(closings) = closings {
-            for link in rounds.links() {
-                for place in [link.left, link.right].map(|node| frame.place(node)) {
-                    closings.jump(place, structures[place].contact.at_node.jumped);
-                }
-            }
+    pair.relation.spread(force, |place, on_left, force| {
+        let contact = &mut structures[place].contact;
+        if on_left {
+            contact.force_from_right = contact.force_from_right - force;
+        } else {
+            contact.force_from_left = contact.force_from_left + force;
         }
-    }
-    rounds.clear();
-}
-
-/// Strikes all pairs that touch; false if none approaches.
-#[inline(always)]
-fn strike_all<S: Simd, Column: SideBySideColumn>(
-    rounds: &mut Rounds<Lanes<S>>,
-    frame: &impl Frame<S, Column>,
-    structures: &mut [Structure<S, Column>],
-    pairs: &mut [Option<LanePair<S>>],
-) -> bool {
-    let strikes = rounds.strike_all(|node| structures[frame.place(node)].contact.at_node.velocity);
-    if strikes {
-        for (link, impulse) in rounds.struck() {
-            if let Some(pair) = &mut pairs[link.left] {
-                pair.tally.strike(impulse);
-            }
-            for node in [link.left, link.right] {
-                structures[frame.place(node)].contact.at_node.jumped = rounds.velocity(node);
-            }
-        }
-    }
-    strikes
+    });
 }

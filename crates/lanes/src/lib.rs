@@ -8,8 +8,12 @@
 //! Buildings of several storeys run in lanes, too: a single loop solves their equations for one scene and for many. `Frame` chooses once
 //! per run whether structures advance separately or by buildings.
 //!
-//! Not in this crate: other methods, motions that travel, sub-steps in contact, columns that yield smoothly, and pairs that are no
-//! [chain](Row::is_chain).
+//! Pairs may join any points. Impacts of pairs that are no [chain](Row::is_chain) are solved lane by lane, and their closings are not
+//! recorded.
+//!
+//! Links may be springs, which may yield, and dashpots. With them, every step costs as much as one in contact.
+//!
+//! Not in this crate: other methods, motions that travel, sub-steps in contact, columns that yield smoothly, and links of other kinds.
 //!
 //! Where to start: [`SideBySide`], then `group.rs`, a group of as many scenes as there are lanes. For the exact method: `exact/mod.rs`.
 
@@ -27,11 +31,14 @@ mod excitations;
 mod frame;
 mod group;
 mod law;
+mod links;
 mod number;
+mod points;
 mod rows;
 mod run;
 mod scenes;
 mod storeys;
+mod strikes;
 mod tallies;
 mod tally;
 #[cfg(all(test, target_arch = "x86_64"))]
@@ -48,7 +55,7 @@ use run::Task;
 pub use tallies::{PairSums, SceneSums};
 
 use pounding_solver::formulas::{is_plastic, require};
-use pounding_solver::{Budget, CentralDifference, Clock, Pair, RestoringForce, Row, RunError};
+use pounding_solver::{Budget, CentralDifference, Clock, Link, Pair, Point, Relation, RestoringForce, Row, RunError};
 
 /// Ground motions and the clock of the central difference method, under which many rows run.
 #[derive(Debug, Clone)]
@@ -104,27 +111,31 @@ impl<'a> SideBySide<'a> {
         Self { budget, ..self }
     }
 
-    /// Also records how far neighbours come towards each other ([`PairSums::closing`]). This slows down steps without contact.
+    /// Also records how far neighbours come towards each other ([`PairSums::closing`]), which must form a [chain](Row::is_chain). This slows
+    /// down steps without contact.
     #[must_use]
     pub fn with_closings(self, closings: bool) -> Self {
         Self { closings, ..self }
     }
 
-    /// Whether two rows have equal floors and pairs that form a [chain](Row::is_chain), with laws of equal kinds. The ground motion must
-    /// arrive everywhere at once in the first row, and no damping may follow the tangent stiffness.
+    /// Whether two rows have equal floors and pairs on the same floors, with laws of equal kinds. The ground motion must arrive everywhere at
+    /// once in the first row, no damping may follow the tangent stiffness, and links on the same floors must be springs and dashpots.
     pub fn are_alike<Column: RestoringForce>(row: &Row<Column>, other: &Row<Column>) -> bool {
         let kind = |pair: &Pair| std::mem::discriminant(&pair.law);
         let at_once = (0..row.nodes().len()).all(|node| row.arrival(node) == 0.0);
         let mut pairs = row.pairs().iter().zip(other.pairs());
         let mut nodes = row.nodes().iter().zip(other.nodes());
+        let mut links = row.links().iter().zip(other.links());
+        let are_springs = |link: &Link, other: &Link| links::spring(link).is_some() && links::spring(other).is_some();
         at_once
             && !row.has_tangent_damping()
             && !other.has_tangent_damping()
-            && row.is_chain()
+            && row.links().len() == other.links().len()
+            && links.all(|(link, other)| are_on_equal_floors(link.relation, other.relation) && are_springs(link, other))
             && row.nodes().len() == other.nodes().len()
             && nodes.all(|(node, other)| node.support.below() == other.support.below())
             && row.pairs().len() == other.pairs().len()
-            && pairs.all(|(pair, other)| pair.relation.points() == other.relation.points() && kind(pair) == kind(other))
+            && pairs.all(|(pair, other)| are_on_equal_floors(pair.relation, other.relation) && kind(pair) == kind(other))
     }
 
     /// Runs rows of a common shape, each for its number of steps, and stores their results. Returns false without any result if they cannot
@@ -143,7 +154,8 @@ impl<'a> SideBySide<'a> {
         let reach = 1..=self.clock.n_steps;
         let in_reach = rows.len() == n_steps.len() && n_steps.iter().all(|n| reach.contains(n));
         let in_reach = in_reach && self.excitations.are_for(rows.len());
-        let Some(first) = rows.first().filter(|_| in_reach && are_alike(rows)) else {
+        let closes = |row: &Row<Column>| !self.closings || row.is_chain();
+        let Some(first) = rows.first().filter(|row| in_reach && are_alike(rows) && closes(row)) else {
             tallies.begin(0, 0, 0);
             return false;
         };
@@ -179,6 +191,15 @@ impl<'a> SideBySide<'a> {
         }
         true
     }
+}
+
+/// Whether two relations have their points on the same floors; points between floors may be anywhere nearer to the same one.
+fn are_on_equal_floors(one: Relation, other: Relation) -> bool {
+    let mut points = one.points().into_iter().zip(other.points());
+    points.all(|points| match points {
+        (Point::Share(one), Point::Share(other)) => (one.base, one.other) == (other.base, other.other),
+        (one, other) => one == other,
+    })
 }
 
 /// Whether rows have a common shape that can run in lanes.

@@ -6,6 +6,7 @@ use super::body::Body;
 use super::column::SideBySideColumn;
 use super::law::Law;
 use super::number::{Lanes, MOST_LANES};
+use super::points::LaneRelation;
 use super::scenes::{LanePair, Structure};
 use super::tally::SceneSum;
 use pounding_solver::{Node, Row};
@@ -59,20 +60,20 @@ impl<Column: SideBySideColumn> Rows<'_, Column> {
         Lanes::new(simd, &values)
     }
 
-    /// The pair of a structure and its right neighbour; `None` if the rows have none.
+    /// A pair, by its index in the rows; `place` gives the place of a node's structure.
     #[inline(always)]
-    pub(super) fn pair<S: Simd>(self, simd: S, left: usize) -> Option<LanePair<S>> {
-        let mut pairs = self.rows[0].pairs().iter();
-        let index = pairs.position(|pair| pair.left() == left)?;
+    pub(super) fn pair<S: Simd>(self, simd: S, index: usize, place: impl Fn(usize) -> usize) -> LanePair<S> {
         let pairs: [_; MOST_LANES] = std::array::from_fn(|lane| &self.lane(lane).pairs()[index]);
         let mass = |lane: usize| self.lane(lane).reduced_mass(pairs[lane]);
-        Some(LanePair {
+        LanePair {
             index,
+            left: pairs[0].left(),
+            relation: LaneRelation::new(simd, &pairs.map(|pair| pair.relation), place),
             lingers: false,
             gap: Lanes::new(simd, &pairs.map(pounding_solver::Pair::gap)),
             law: Law::new(simd, pairs.map(|pair| pair.law), std::array::from_fn(mass)),
             deformation: Lanes::splat(simd, 0.0),
             tally: SceneSum::new(simd),
-        })
+        }
     }
 }

@@ -6,15 +6,19 @@ use super::body::Body;
 use super::column::SideBySideColumn;
 use super::law::Law;
 use super::number::Lanes;
+use super::points::LaneRelation;
 use super::tally::SceneSum;
 
 /// A structure of every scene.
 pub(super) type Structure<S, Column> = Body<S, <Column as SideBySideColumn>::Beside<Lanes<S>>>;
 
-/// A structure and its right neighbour, which can touch.
+/// Two points that can touch.
 pub(super) struct LanePair<S: Simd> {
     /// Its index among the pairs of the row.
     pub(super) index: usize,
+    /// Node of the left neighbour.
+    pub(super) left: usize,
+    pub(super) relation: LaneRelation<S>,
     /// Whether it has open books from the node before. Stored, because asking the books would cost a mask in steps without contact.
     pub(super) lingers: bool,
     pub(super) gap: Lanes<S>,

@@ -10,7 +10,6 @@ use super::number::{Lanes, MOST_LANES, Mask};
 use super::rows::Rows;
 use super::scenes::Structure;
 use pounding_solver::formulas::Buildings;
-use pounding_solver::formulas::Link;
 use pounding_solver::formulas::{Below, damping_force};
 use pounding_solver::formulas::{FloorCoefficients, Floors, solve};
 
@@ -91,7 +90,7 @@ impl<S: Simd> Storeys<S> {
         let neighbours = [level.checked_sub(1), Some(level + 1)];
         let neighbours = neighbours.map(|level| building.get(level?));
         let zero = ground.like(0.0);
-        let (mut around, mut feels) = ([zero; 2], floor.contact.at_node.jumps());
+        let (mut around, mut feels) = ([zero; 2], floor.contact.restarts());
         for (velocity, neighbour) in around.iter_mut().zip(neighbours) {
             if let Some(neighbour) = neighbour {
                 *velocity = neighbour.contact.at_node.velocity;
@@ -103,7 +102,7 @@ impl<S: Simd> Storeys<S> {
         let before = self.accelerations[first + level] - rates.deceleration(velocities);
         let after = self.acceleration::<Column>(building, first, level, ground);
         let after = Number::select(feels, after, before);
-        (after, floor.contact.at_node.jumps() | (after - before).abs().exceeds(zero))
+        (after, floor.contact.restarts() | (after - before).abs().exceeds(zero))
     }
 }
 
@@ -140,6 +139,7 @@ impl<S: Simd, Column: SideBySideColumn, const IN_CONTACT: bool> Floors<Lanes<S>>
     fn hold(&mut self, level: usize, acceleration: Lanes<S>, increment: Lanes<S>) {
         if IN_CONTACT {
             self.accelerations[level] = acceleration;
+            self.structures[level].contact.is_near = false;
         }
         self.structures[level].motion.hold(increment);
     }
@@ -225,7 +225,7 @@ impl<S: Simd, Column: SideBySideColumn> Frame<S, Column> for Storeys<S> {
 
     /// Through dashpots, the acceleration of a floor jumps with the velocity of its neighbours in the building.
     #[inline(always)]
-    fn restart(&mut self, structures: &mut [Structure<S, Column>], _: &[Link], ground: Lanes<S>) {
+    fn restart(&mut self, structures: &mut [Structure<S, Column>], ground: Lanes<S>) {
         for range in self.buildings.ranges() {
             let building = &mut structures[range.clone()];
             for level in 0..building.len() {

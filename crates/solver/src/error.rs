@@ -168,8 +168,17 @@ fn name(floor: Option<usize>) -> String {
 #[non_exhaustive]
 pub enum RunError {
     /// Links in a run by a method that takes none.
-    #[error("links: found a method that takes none, allowed are exact and rk4")]
+    #[error("links: found a method that takes none, allowed are exact, rk4 and central_difference")]
     TakesNoLinks,
+    /// A link whose force central differences cannot find ahead of a step.
+    #[error(
+        "links[{link}]: found a viscous damper without a brace, whose force is too steep at rest for central differences; allowed is one with \
+         a brace, or the method rk4"
+    )]
+    LinkTooSteep {
+        /// Index of the link.
+        link: usize,
+    },
     /// A link whose force is no power series.
     #[error(
         "links[{link}]: found a viscous damper without a brace, which the exact method cannot expand; allowed is one with a brace and \

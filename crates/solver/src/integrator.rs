@@ -1,7 +1,7 @@
 use crate::{
-    CentralDifference, Course, Exact, Excitation, Hht, Hysteretic, Knee, Laws, MoreauJean, Newmark, Node, Recorder, Rk4, Row, RunError,
-    Verlet, Work, exact, explicit::central_difference, explicit::rk4, explicit::verlet, implicit::hht, implicit::moreau_jean,
-    implicit::newmark,
+    CentralDifference, Course, Exact, Excitation, Hht, Hysteretic, Knee, Laws, Link, LinkLaw, MoreauJean, Newmark, Node, Recorder, Rk4,
+    Row, RunError, Verlet, Work, exact, explicit::central_difference, explicit::rk4, explicit::verlet, implicit::hht,
+    implicit::moreau_jean, implicit::newmark,
 };
 
 /// A method of time integration with its settings. Each method has a separate file and the same signature.
@@ -63,6 +63,10 @@ impl Integrator {
         if !row.links().is_empty() && !self.takes_links() {
             return Err(RunError::TakesNoLinks);
         }
+        let steep = |link: &Link| !self.takes_bare_dampers() && matches!(link.law, LinkLaw::Viscous(_));
+        if let Some(link) = row.links().iter().position(steep) {
+            return Err(RunError::LinkTooSteep { link });
+        }
         self.takes_damping_of(row)?;
         self.takes_friction_of(row)?;
         match *self {
@@ -78,7 +82,12 @@ impl Integrator {
 
     /// Whether the method takes links between floors.
     pub fn takes_links(&self) -> bool {
-        matches!(self, Self::Exact(_) | Self::Rk4(_))
+        matches!(self, Self::Exact(_) | Self::Rk4(_) | Self::CentralDifference(_))
+    }
+
+    /// Whether the method takes links with a damper c |v|^α without a brace; the exact method takes some.
+    pub fn takes_bare_dampers(&self) -> bool {
+        !matches!(self, Self::CentralDifference(_))
     }
 
     /// Whether the method lets damping follow the tangent stiffness. The others eliminate the dashpots before the first step, or

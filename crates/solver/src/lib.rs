@@ -64,7 +64,8 @@ pub mod formulas {
     pub use crate::exact::{BURST, CHATTER, LONGEST_LEAP, ROUNDING_OF_COEFFICIENTS, bounces_are_over, in_flight};
     pub use crate::explicit::central_difference::building::{FloorCoefficients, Floors, solve};
     pub use crate::explicit::central_difference::coefficients::Coefficients;
-    pub use crate::explicit::central_difference::first_increment;
+    pub use crate::explicit::central_difference::{first_increment, increment_before};
+    pub use crate::impact::any_rounds::{Closed, Jumps};
     pub use crate::impact::chain::Link;
     pub use crate::impact::rounds::{ROUNDING, Rounds, Touching};
     pub use crate::model::balance::{Below, Dashpot, damping_force};

@@ -58,13 +58,14 @@ impl Sweep {
         }
         let typical = self.plan.typical();
         let typical = self.prepared(self.motions.longest(), &typical, &mut self.scene.clone());
-        alone_because(&typical.ok()?).map(String::from)
+        alone_because(&typical.ok()?, self.closings).map(String::from)
     }
 
     /// Appends the numbers of a scene to `numbers`, in the order of the columns. If least openings are requested, it also appends to
     /// `least` the smallest magnitude by which each error is divided.
     ///
-    /// Returns false if the lanes have no results for the scene, or doubt them and a verdict is requested. The scene then runs separately.
+    /// Returns false if the lanes have no results for the scene, or doubt them and a verdict is requested. Also returns false if a storey comes
+    /// near a collapse, which ends a run. The scene then runs separately.
     pub(super) fn tell(
         &self,
         prepared: &Simulation,
@@ -73,7 +74,9 @@ impl Sweep {
         numbers: &mut Vec<f64>,
         least: &mut Vec<f64>,
     ) -> bool {
-        if !tallies.is_told(scene) || (self.verdict && tallies.is_doubted(scene)) {
+        let falls = |floor: usize| tallies.drift(scene, floor).abs() >= NEAR_COLLAPSE * prepared.collapse_drift_m(floor);
+        let unknown = !tallies.is_told(scene) || (0..prepared.floors().all().len()).any(falls);
+        if unknown || (self.verdict && tallies.is_doubted(scene)) {
             return false;
         }
         for output in &self.outputs {
@@ -96,6 +99,10 @@ impl Sweep {
         true
     }
 }
+
+/// Part of the drift of a collapse \[–\] above which a run alone decides: by the exact method the drift in lanes has an error of about the
+/// tolerance.
+const NEAR_COLLAPSE: f64 = 0.9;
 
 /// A floor or a pair of a scene that ran in lanes.
 struct One<'a> {
@@ -121,6 +128,8 @@ const TALLIED: &[(Quantity, Take)] = &[
     (Quantity::Floor(FloorQuantity::DriftRatio), |one| {
         one.floor().drift_ratio(one.drift())
     }),
+    // Runs that collapse go alone.
+    (Quantity::Floor(FloorQuantity::CollapseS), |_| None),
     (Quantity::Pair(PairQuantity::Collisions), |one| Some(one.sums().collisions)),
     (Quantity::Pair(PairQuantity::LargestImpulseNS), |one| {
         one.touches().then_some(one.sums().largest_impulse)

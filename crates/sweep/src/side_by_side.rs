@@ -2,7 +2,7 @@
 
 use pounding_lanes::{ExactSideBySide, Excitations, RowsOf, SceneSums, SideBySide};
 use pounding_scene::Simulation;
-use pounding_solver::{AnyRow, CentralDifference, Clock, Elastic, Exact, Excitation, Integrator, Pair, Row};
+use pounding_solver::{AnyRow, CentralDifference, Clock, Elastic, Exact, Excitation, Integrator, Link, LinkLaw, Pair, Row};
 
 /// The rows of scenes with a common type of columns; `None` if types differ.
 macro_rules! rows {
@@ -18,7 +18,7 @@ macro_rules! rows {
 /// neighbours come towards each other. Returns `None` if no scene can run in lanes.
 ///
 /// A scene has no results if it has other numbers of floors and pairs than the first scene, Bouc–Wen columns, a travelling motion, or a
-/// method other than the two below. Each scene may have a separate record.
+/// method other than the two below; with closings, if its pairs are no chain. Each scene may have a separate record.
 ///
 /// With the central difference method without sub-steps, the numbers of a scene are exactly those of a separate run. The exact method
 /// supports two elastic structures, with a tolerance of at least 1e-12 for compliant contact. Its numbers are those of separate runs up to
@@ -45,8 +45,8 @@ pub(crate) fn side_by_side(scenes: &[&Simulation], closings: bool) -> Option<Sce
     any.then_some(tallies)
 }
 
-/// Says why a scene needs a separate run. Returns `None` if it can run in lanes with similar scenes.
-pub(crate) fn alone_because(scene: &Simulation) -> Option<&'static str> {
+/// Says why a scene needs a separate run, with closings if these are asked for. Returns `None` if it can run in lanes with similar scenes.
+pub(crate) fn alone_because(scene: &Simulation, closings: bool) -> Option<&'static str> {
     let floors = scene.floors().all();
     let two = floors.len() == 2 && floors.iter().all(|floor| floor.storey.is_none());
     let of_method = match scene.integrator() {
@@ -65,20 +65,20 @@ pub(crate) fn alone_because(scene: &Simulation) -> Option<&'static str> {
     };
     let travels = scene.travel().is_some();
     let smooth = matches!(scene.row(), AnyRow::Mixed(_));
-    if scene.floors().has_gravity() {
-        return Some("storeys under gravity are those of one scene");
-    }
-    if !scene.row().links().is_empty() {
-        return Some("links between floors are those of one scene");
+    let is_spring = |link: &Link| matches!(link.law, LinkLaw::Spring(_));
+    if !scene.row().links().iter().all(is_spring) {
+        return Some("cables and dampers with a brace are those of one scene; springs and dashpots go side by side");
     }
     if matches!(scene.row(), AnyRow::Bilinear(row) if row.has_tangent_damping()) {
         return Some("damping on the tangent stiffness is that of one scene");
     }
-    let of_row = || match (smooth, travels, scene.row().is_chain()) {
+    let of_row = || match (smooth, travels, closings && !scene.row().is_chain()) {
         (true, ..) => Some("Bouc–Wen columns are those of one scene"),
         (false, true, _) => Some("a motion that arrives at one structure after the other is that of one scene"),
-        (false, false, false) => Some("several pairs on one side of a floor, or points between floors, are those of one scene"),
-        (false, false, true) => None,
+        (false, false, true) => {
+            Some("least openings of floors beside columns, or of several pairs on one side of a floor, are those of one scene")
+        }
+        (false, false, false) => None,
     };
     of_row().or(of_method)
 }

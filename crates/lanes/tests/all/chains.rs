@@ -2,8 +2,9 @@
 
 use pounding_contact::{ContactLaw, Stereomechanical};
 use pounding_lanes::{ExactSideBySide, RowsOf, SceneSums, SideBySide};
-use pounding_solver::{Collision, Collisions, Elastic, Exact, Excitation, Integrator, Node, Pair, Point, Relation, Row};
+use pounding_solver::{Collision, Collisions, Elastic, Exact, Excitation, Integrator, Node, Pair, Point, Row};
 
+use crate::common::VISCOELASTIC;
 use crate::steps::{CLOCK, SCENES, SETTINGS, all, compare};
 use crate::watch::Watch;
 
@@ -69,29 +70,48 @@ fn limit_chains_of_impacts_give_the_bits_of_a_scene_alone() {
     }
 }
 
-/// Lanes support only pairs of a floor and its right neighbour: other rows are left to runs alone.
+/// Several pairs between two floors, and a floor beside a column on the ground: central differences run them, the exact method leaves them
+/// alone.
 #[test]
-fn extreme_pairs_that_are_no_chain_are_left_alone() {
-    let law = ContactLaw::Stereomechanical(Stereomechanical { restitution: 0.5 });
+fn limit_pairs_that_are_no_chain_give_the_bits_of_a_scene_alone() {
+    let ground: Vec<f64> = (0..200).map(|n| 5.0 * libm::sin(0.37 * f64::from(n))).collect();
+    for law in [ContactLaw::Stereomechanical(Stereomechanical { restitution: 0.5 }), VISCOELASTIC] {
+        let structure = |stiffness| Node::structure(1e5, 1e4, Elastic { stiffness });
+        let floors = |gap| Pair::of_floors(0, 1, gap, law);
+        let above_the_ground = |part| Pair::new(Point::Floor(0), Point::between(None, 1, part).expect("above the ground"), 0.01, law);
+        let row = |pairs| Row::new(vec![structure(1e7), structure(3e6)], pairs).expect("valid");
+        for (pairs, is_chain) in [
+            (vec![floors(0.01)], true),
+            (vec![floors(0.01), floors(0.012)], false),
+            (vec![above_the_ground(0.6)], false),
+            (vec![above_the_ground(0.3), floors(0.02)], false),
+        ] {
+            let row = row(pairs);
+            assert_eq!(row.is_chain(), is_chain);
+            assert!(SideBySide::are_alike(&row, &row));
+            let settings = Exact {
+                tolerance: 1e-9,
+                ..Exact::default()
+            };
+            assert_eq!(ExactSideBySide::takes(&row, settings), is_chain);
+            let rows = vec![row; SCENES[0]];
+            let found = compare((&all(&rows), RowsOf::Elastic), &ground);
+            assert!(found.is_ok(), "{found:?}");
+        }
+    }
+}
+
+/// Closings are those of chains.
+#[test]
+fn limit_closings_of_other_pairs_are_left_to_runs_alone() {
     let structure = || Node::structure(1e5, 0.0, Elastic { stiffness: 1e7 });
-    let floors = Pair::of_floors(0, 1, 0.01, law);
-    let above_the_ground = Pair {
-        relation: Relation {
-            left: Point::Floor(0),
-            right: Point::between(None, 1, 0.6).expect("above the ground"),
-            offset: 0.01,
-        },
-        law,
-    };
-    let row = |pairs| Row::new(vec![structure(), structure()], pairs).expect("valid");
+    let pair = Pair::of_floors(0, 1, 0.01, VISCOELASTIC);
+    let row = Row::new(vec![structure(), structure()], vec![pair, pair]).expect("valid");
     let excitation = Excitation::new(0.01, &[0.0]).expect("valid");
-    for (pairs, is_chain) in [(vec![floors], true), (vec![floors, floors], false), (vec![above_the_ground], false)] {
-        let row = row(pairs);
-        let together = SideBySide::new(SETTINGS, excitation, CLOCK).expect("valid");
-        let mut found = SceneSums::default();
-        let runs = together.run(RowsOf::Elastic(&[&row]), &[CLOCK.n_steps], &mut found);
-        assert_eq!(runs, is_chain);
-        assert_eq!(SideBySide::are_alike(&row, &row), is_chain);
-        assert_eq!(ExactSideBySide::takes(&row, Exact::default()), is_chain);
+    let together = SideBySide::new(SETTINGS, excitation, CLOCK).expect("valid");
+    let mut found = SceneSums::default();
+    for closings in [false, true] {
+        let together = together.clone().with_closings(closings);
+        assert_eq!(together.run(RowsOf::Elastic(&[&row]), &[CLOCK.n_steps], &mut found), !closings);
     }
 }

@@ -2,7 +2,9 @@
 
 use pounding_contact::{ContactLaw, Stereomechanical};
 use pounding_lanes::{RowsOf, SceneSums, SideBySide};
-use pounding_solver::{Bilinear, Elastic, Excitation, Floor, Hysteretic, Levels, Node, Pair, Row, Storey};
+use pounding_solver::{
+    Bilinear, Elastic, Excitation, Floor, Hysteretic, Levels, Link, LinkLaw, Node, Pair, Point, Relation, Row, Spring, Storey,
+};
 use proptest::prelude::*;
 
 use crate::random_rows::{any_law, config, stereomechanical};
@@ -137,6 +139,71 @@ fn row<Column: Hysteretic>(case: &Case, scene: usize, column: impl Fn(f64, f64) 
     Row::new(nodes, pairs).expect("the row is valid")
 }
 
+/// The row; each floor on the left also meets the columns below the floor on the right, nearer to their head or to their foot.
+fn beside_columns<Column: Hysteretic>(row: &Row<Column>, scene: usize) -> Row<Column> {
+    let column = |(index, pair): (usize, &Pair)| {
+        let node = &row.nodes()[pair.right()];
+        let part = if index % 3 == 1 { 0.3 } else { 0.7 } + 0.01 * scene as f64;
+        let right = Point::between(node.support.below(), pair.right(), part).expect("a part");
+        (!node.is_wall()).then(|| Pair::new(Point::Floor(pair.left()), right, 0.8 * pair.gap(), pair.law))
+    };
+    let columns = row.pairs().iter().enumerate().filter_map(column);
+    let pairs = row.pairs().iter().copied().chain(columns).collect();
+    Row::new(row.nodes().to_vec(), pairs).expect("the row is valid")
+}
+
+/// The row with links of every kind that lanes run: a dashpot between roofs, a spring that yields and has a dashpot between the lowest
+/// floors, and an elastic one to the ground.
+pub(crate) fn linked<Column: Hysteretic>(row: &Row<Column>, scene: usize) -> Row<Column> {
+    let factor = 1.0 + 0.05 * scene as f64;
+    let spring = Spring {
+        stiffness: 2e6 * factor,
+        yield_force: 2e4 / factor,
+        hardening: 0.1 / factor,
+        damping: 4e4 * factor,
+    };
+    let dashpot = Spring { stiffness: 0.0, ..spring };
+    let elastic = Spring {
+        yield_force: f64::INFINITY,
+        damping: 0.0,
+        ..spring
+    };
+    let n = row.nodes().len();
+    let link = |left: Point, right: Point, law: Spring| Link {
+        relation: Relation { left, right, offset: 0.0 },
+        law: LinkLaw::Spring(law),
+    };
+    let ends = [
+        link(0.into(), 1.into(), spring),
+        link(0.into(), (n - 1).into(), dashpot),
+        link(1.into(), Point::Ground(1), elastic),
+    ];
+    // A link of walls alone moves nothing.
+    let moves = |link: &Link| link.relation.pushes().any(|(floor, _)| !row.nodes()[floor].is_wall());
+    let links = ends.into_iter().filter(moves).collect();
+    row.clone().linked(links).expect("links")
+}
+
+/// Compares scenes like this one with links.
+fn compare_linked(case: &Case) -> Result<(), TestCaseError> {
+    let elastic = |stiffness, _| Elastic { stiffness };
+    let rows: Vec<_> = (0..SCENES[0]).map(|scene| linked(&row(case, scene, elastic), scene)).collect();
+    compare((&all(&rows), RowsOf::Elastic), &case.ground)
+}
+
+/// Compares scenes like this one, whose floors also meet columns.
+fn compare_beside_columns(case: &Case) -> Result<(), TestCaseError> {
+    let bilinear = |stiffness, yield_force| Bilinear {
+        stiffness,
+        yield_force,
+        hardening: 0.1,
+    };
+    let rows: Vec<_> = (0..SCENES[0])
+        .map(|scene| beside_columns(&row(case, scene, bilinear), scene))
+        .collect();
+    compare((&all(&rows), RowsOf::Bilinear), &case.ground)
+}
+
 /// Compares `count` scenes like this one with themselves alone, with every kind of columns.
 fn compare_columns(case: &Case, count: usize) -> Result<(), TestCaseError> {
     let elastic = |stiffness, _| Elastic { stiffness };
@@ -172,6 +239,30 @@ proptest! {
     #[test]
     fn limit_impacts_of_storeys_give_the_bits_of_a_scene_alone(case in cases(stereomechanical)) {
         compare_columns(&case, SCENES[0])?;
+    }
+}
+
+proptest! {
+    #![proptest_config(config(100))]
+
+    #[test]
+    fn limit_links_give_the_bits_of_a_scene_alone(case in cases(any_law)) {
+        compare_linked(&case)?;
+    }
+
+    #[test]
+    fn limit_links_and_impacts_give_the_bits_of_a_scene_alone(case in cases(stereomechanical)) {
+        compare_linked(&case)?;
+    }
+
+    #[test]
+    fn limit_slabs_beside_columns_give_the_bits_of_a_scene_alone(case in cases(any_law)) {
+        compare_beside_columns(&case)?;
+    }
+
+    #[test]
+    fn limit_impacts_on_columns_give_the_bits_of_a_scene_alone(case in cases(stereomechanical)) {
+        compare_beside_columns(&case)?;
     }
 }
 

@@ -11,6 +11,7 @@ use crate::file::budget::Patience;
 use crate::file::{Law, Link, ScaleTo};
 use crate::settings::out_of_range;
 use crate::{FileUse, Method, RecordUse, Scene, Source, Structure};
+use pounding_solver::AnyRow;
 
 /// Refuses a value that is not `valid`. The place becomes text only then, because a sweep checks millions of scenes.
 pub(super) fn require(valid: bool, place: impl Display, found: f64, allowed: &'static str) -> Result<(), Refused> {
@@ -111,12 +112,16 @@ impl Scene {
         if !known || !self.method.integrator().takes_links() {
             let found = Refused::at("method").found(format!("{}, which does not take `links`", self.method.name()));
             return Err(found
-                .allowed("exact or rk4")
+                .allowed("exact, rk4 or central_difference")
                 .help("leave `method` out: the exact method is the default"));
         }
-        if !matches!(self.method, Method::Exact { .. }) {
+        let why = if matches!(self.method, Method::Exact { .. }) {
+            "has no series at v = 0, which the exact method needs"
+        } else if self.method.integrator().takes_bare_dampers() {
             return Ok(());
-        }
+        } else {
+            "is too steep at v = 0 for central differences"
+        };
         let bare = |link: &Link| {
             matches!(
                 link.law,
@@ -130,7 +135,7 @@ impl Scene {
             None => Ok(()),
             Some(index) => {
                 let place = format!("links[{index}].law.viscous.brace_stiffness_n_per_m");
-                let found = Refused::at(place).found("none: a damper c |v|^α alone has no series at v = 0, which the exact method needs");
+                let found = Refused::at(place).found(format!("none: a damper c |v|^α alone {why}"));
                 Err(found
                     .allowed("a number > 0")
                     .help("give the stiffness of its brace, or take the method rk4"))
@@ -181,6 +186,25 @@ pub(crate) fn free_limit(scene: &Scene) -> Result<(), Refused> {
             Err(found.help("contact can ask for less").kind(RefusalKind::Unstable))
         }
         _ => Ok(()),
+    }
+}
+
+/// Refuses a time step with which the response of a row with links grows without bound, even if nothing touches.
+pub(crate) fn linked_limit(scene: &Scene, row: &AnyRow) -> Result<(), Refused> {
+    let Some(time_step) = scene.method.time_step() else {
+        return Ok(());
+    };
+    match scene.method.integrator().limit_of_links(row, time_step) {
+        Some(limit) => {
+            let place = format!("method.{}.time_step_s", scene.method.name());
+            let allowed = format!(
+                "less than {} (with its links the row grows without bound from there on)",
+                digits(limit)
+            );
+            let found = Refused::at(place).found(plain(time_step)).allowed(allowed);
+            Err(found.help("contact can ask for less").kind(RefusalKind::Unstable))
+        }
+        None => Ok(()),
     }
 }
 

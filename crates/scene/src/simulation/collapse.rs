@@ -46,6 +46,11 @@ impl StoreyProperties {
 }
 
 impl Simulation {
+    /// Drift at which the storey below a floor of the row counts as collapsed \[m\]; infinite if it never does.
+    pub fn collapse_drift_m(&self, floor: usize) -> f64 {
+        self.leaning(&self.floors.all()[floor]).falls_at
+    }
+
     /// Gravity on the storey below a floor.
     pub(super) fn leaning(&self, floor: &Floor) -> Leaning {
         let Some(made) = floor.made_of.filter(|made| made.gravity_n_per_m > 0.0) else {

@@ -69,6 +69,7 @@ impl Simulation {
         check::free_limit(scene).ok()?;
         self.floors.renumber(scene).ok()?;
         model::renumber(&mut self.row, scene, &self.floors).ok()?;
+        check::linked_limit(scene, &self.row).ok()?;
         self.clock = scene.method.clock(duration);
         Some(())
     }
@@ -93,7 +94,7 @@ impl Simulation {
             scene: scene.clone(),
             advice: None,
             forced: true,
-            unstable: check::free_limit(scene).err(),
+            unstable: check::free_limit(scene).and_then(|()| check::linked_limit(scene, &row)).err(),
             floors,
             row,
             record: motion.record,
@@ -235,7 +236,9 @@ impl Simulation {
         Ok(Self {
             clock: other.clock(scene.duration()),
             integrator,
-            unstable: check::free_limit(&scene).err(),
+            unstable: check::free_limit(&scene)
+                .and_then(|()| check::linked_limit(&scene, &self.row))
+                .err(),
             forced: self.forced,
             scene,
             advice: None,

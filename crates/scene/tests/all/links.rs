@@ -338,7 +338,25 @@ fn extreme_links_that_are_refused() {
     scene "linked": links[0].law.viscous.exponent: found 0.35, allowed 1/n with a whole number n from 1 to 10, such as 0.5, 0.25 or 0.2; take the nearest one, or leave the brace out and integrate by the method rk4
     scene "linked": links[0].law.viscous.brace_stiffness_n_per_m: found none: a damper c |v|^α alone has no series at v = 0, which the exact method needs, allowed a number > 0; give the stiffness of its brace, or take the method rk4
     scene.toml, line 7, column 66: links[0].law: found `rope`, allowed are `spring`, `dashpot`, `maxwell`, `viscous`, `restrainer`
-    scene "linked": method: found newmark, which does not take `links`, allowed exact or rk4; leave `method` out: the exact method is the default
-    scene "linked": method: found accuracy, which does not take `links`, allowed exact or rk4; leave `method` out: the exact method is the default
+    scene "linked": method: found newmark, which does not take `links`, allowed exact, rk4 or central_difference; leave `method` out: the exact method is the default
+    scene "linked": method: found accuracy, which does not take `links`, allowed exact, rk4 or central_difference; leave `method` out: the exact method is the default
+    "#);
+}
+
+/// The step of the second one is stable without the link.
+#[test]
+fn extreme_links_that_central_differences_refuse() {
+    let between = "between = [{ structure = 1 }, { structure = 3 }]";
+    let all = [
+        (0.001, "viscous = { coefficient = 1e5, exponent = 0.5 }"),
+        (0.02, "spring.stiffness_n_per_m = 1e9"),
+    ];
+    let all = all.map(|(time_step, law)| {
+        let method = format!("method.central_difference.time_step_s = {time_step}");
+        refused(&method, &format!("{{ {between}, law.{law} }}"))
+    });
+    insta::assert_snapshot!(all.join("\n"), @r#"
+    scene "linked": links[0].law.viscous.brace_stiffness_n_per_m: found none: a damper c |v|^α alone is too steep at v = 0 for central differences, allowed a number > 0; give the stiffness of its brace, or take the method rk4
+    scene "linked": method.central_difference.time_step_s: found 0.02, allowed less than 0.01397809 (with its links the row grows without bound from there on); contact can ask for less
     "#);
 }

@@ -8,6 +8,9 @@
 //! velocity and the acceleration at the node: Δt u̇ + Δt² ü/2. For a smooth motion this is the same equation, so that a restart costs no
 //! accuracy.
 //!
+//! Links pull at nodes before the equations are solved. Their springs follow the displacements there. Their dashpots follow velocities that
+//! the last two increments extrapolate to the node, which is of second order.
+//!
 //! Floors that stand on floors share M/Δt² + C/2Δt through the dashpots between them: a tridiagonal system for every building
 //! (`building.rs`). Rows of structures of one storey have a separate loop.
 
@@ -19,6 +22,7 @@
 pub(crate) mod building;
 pub(crate) mod coefficients;
 mod contact;
+mod links;
 mod storeys;
 
 use pounding_contact::Number;
@@ -28,6 +32,7 @@ use storeys::Storeys;
 
 use crate::error::require;
 use crate::impact::impacts::Impacts;
+use crate::link_forces::LinkForces;
 use crate::march::{ClockStep, Stepping, march};
 use crate::model::approach::Approaches;
 use crate::model::ground::Ground;
@@ -75,6 +80,8 @@ struct Body<Memory> {
     displacement: f64,
     /// Displacement minus that of the node before \[m\].
     increment: f64,
+    /// The increment before \[m\].
+    earlier: f64,
     /// Whether the node before is a sub-step back.
     fine: bool,
     /// Central-difference velocity at the node before, before its jump. The damping force of the equation belongs to this velocity.
@@ -86,6 +93,8 @@ struct Body<Memory> {
     start_ground: f64,
     force_from_left: f64,
     force_from_right: f64,
+    /// Net force of links \[N\].
+    link_force: f64,
     /// Excess impulses of a whole step from the left and from the right \[N·s\]. They arise if a neighbour that sub-steps is met at the end
     /// of the step: the force acts on both sides for half a sub-step.
     excess: (f64, f64),
@@ -98,7 +107,14 @@ impl<Memory> Body<Memory> {
             velocity, acceleration, ..
         } = self.start;
         self.increment = Coefficients::restarted(time_step, velocity, acceleration);
+        self.earlier = first_increment([velocity, acceleration], time_step);
         self.displacement = self.start.displacement + self.increment;
+    }
+
+    /// Net force of neighbours and links \[N\].
+    #[inline]
+    fn pushed(&self) -> f64 {
+        self.force_from_left + self.force_from_right + self.link_force
     }
 
     /// Removes the excess of a whole step from the velocity at its end. The increment is restarted afterwards.
@@ -139,6 +155,10 @@ struct CentralDifferenceRun<'a, Column: RestoringForce> {
     /// The impulse of each push is the excess of a whole step until its span ends.
     pushes: Pushes,
     approaches: Approaches,
+    /// `None` if the row has no links.
+    links: Option<LinkForces>,
+    /// Whether the force of a link on each floor has jumped, at a node with velocity jumps.
+    relinked: Vec<bool>,
     substeps: u32,
 }
 
@@ -194,11 +214,19 @@ pub fn first_increment<N: Number>([velocity, acceleration]: [N; 2], dt: f64) -> 
     step * (velocity - half * acceleration)
 }
 
+/// The increment before the first one \[m\]: [`Coefficients::extrapolated`] makes the velocity at t = 0 of both.
+#[inline(always)]
+pub fn increment_before<N: Number>(first: N, acceleration: N, dt: f64) -> N {
+    first - first.like(dt * dt) * acceleration
+}
+
 /// The body at t = 0.
 fn begin<Memory>(state: State, memory: Memory, ground: f64, dt: f64) -> Body<Memory> {
+    let increment = first_increment([state.velocity, state.acceleration], dt);
     Body {
         displacement: state.displacement,
-        increment: first_increment([state.velocity, state.acceleration], dt),
+        increment,
+        earlier: increment_before(increment, state.acceleration, dt),
         fine: false,
         velocity: state.velocity,
         memory,
@@ -207,6 +235,7 @@ fn begin<Memory>(state: State, memory: Memory, ground: f64, dt: f64) -> Body<Mem
         start_ground: ground,
         force_from_left: 0.0,
         force_from_right: 0.0,
+        link_force: 0.0,
         excess: (0.0, 0.0),
     }
 }
@@ -218,7 +247,8 @@ impl<'a, Column: RestoringForce> CentralDifferenceRun<'a, Column> {
             let nodes = row.nodes().iter();
             nodes.map(|node| Coefficients::new(node, dt)).collect()
         };
-        let (states, memories) = row.initial(ground);
+        let (mut states, memories) = row.initial(ground);
+        let links = links::begin(row, &mut states, ground);
         let bodies: Vec<_> = states
             .into_iter()
             .zip(memories)
@@ -235,6 +265,8 @@ impl<'a, Column: RestoringForce> CentralDifferenceRun<'a, Column> {
             jumps: Impacts::new(row),
             pushes: Pushes::new(row.incidence()),
             approaches: Approaches::new(row.pairs().len()),
+            relinked: vec![false; row.nodes().len()],
+            links,
             substeps: settings.contact_substeps,
         }
     }
@@ -242,6 +274,7 @@ impl<'a, Column: RestoringForce> CentralDifferenceRun<'a, Column> {
     /// One node: contact, the equations and spans of all structures with a node here, impacts.
     fn node<R: Recorder>(&mut self, node: Instant<'_>, work: &mut Work, recorder: &mut R) -> Result<(), RunError> {
         let hit = self.touch(node, work);
+        self.pull(node);
         if self.storeys.is_some() {
             self.advance_storeys(node, work, recorder)?;
         } else {
@@ -293,6 +326,9 @@ impl<'a, Column: RestoringForce> CentralDifferenceRun<'a, Column> {
                 let slots = self.row.incidence().slots_at(index);
                 self.pushes.end(slots.clone(), weights.scale);
                 span.pushes = self.pushes.of(slots);
+                if let Some(links) = &mut self.links {
+                    span.links = links.end(self.row.linking().slots_at(index), weights.scale);
+                }
                 recorder.span(&span);
             }
             body.start = end;
@@ -308,8 +344,8 @@ impl<'a, Column: RestoringForce> CentralDifferenceRun<'a, Column> {
 #[inline]
 fn advance<Column: RestoringForce>(body: &mut Body<Column::Memory>, constants: &Coefficients, column: &Column, ground: f64) -> State {
     let response = column.respond(body.displacement, body.memory);
-    let pounding_force = body.force_from_left + body.force_from_right;
-    let smooth = constants.smooth(pounding_force, response.force, constants.mobile * ground);
+    let pushed = body.pushed();
+    let smooth = constants.smooth(pushed, response.force, constants.mobile * ground);
     let increment = constants.next(smooth, body.increment);
     let velocity = constants.velocity([body.increment, increment]);
     let state = State {
@@ -321,7 +357,7 @@ fn advance<Column: RestoringForce>(body: &mut Body<Column::Memory>, constants: &
         force_from_right: body.force_from_right,
     };
     body.displacement += increment;
-    body.increment = increment;
+    (body.earlier, body.increment) = (body.increment, increment);
     body.velocity = velocity;
     body.memory = response.memory;
     state

@@ -136,7 +136,7 @@ impl<Memory: Copy> Scratch<Memory> {
         self.pushes.pass();
         self.pushes.begin();
         if let Some(links) = &mut self.links {
-            links.pull(row, &self.stages, ground[0], 0.0, false);
+            links.pull(row, |node| (&self.stages[node]).into(), ground[0], 0.0, false);
             links.pushes.pass();
             links.pushes.begin();
         }
@@ -148,7 +148,7 @@ impl<Memory: Copy> Scratch<Memory> {
             }
             self.push(row, ground);
             if let Some(links) = &mut self.links {
-                links.pull(row, &self.stages, ground, ahead, false);
+                links.pull(row, |node| (&self.stages[node]).into(), ground, ahead, false);
             }
             for (index, (node, memory)) in row.nodes().iter().zip(&self.memories).enumerate() {
                 // The memory of the columns after a stage is discarded.
@@ -200,7 +200,7 @@ impl<Memory: Copy> Scratch<Memory> {
         self.push(row, ground);
         if let Some(links) = &mut self.links {
             links.pushes.scale(sixth);
-            links.pull(row, &self.stages, ground, step.clock.time_step, true);
+            links.pull(row, |node| (&self.stages[node]).into(), ground, step.clock.time_step, true);
         }
         self.approaches.forget_parted(row.pairs(), &self.stages, ground);
         for (structure, node) in row.nodes().iter().enumerate() {

@@ -10,7 +10,7 @@ use crate::{Point, Relation, RestoringForce, Row};
 
 /// A pair that touches.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Closed {
+pub struct Closed {
     /// Rate of deformation \[m/s\], positive while approaching. A rate within rounding counts as 0.
     pub(crate) rate: f64,
     /// Coefficient of restitution e \[–\].
@@ -21,6 +21,19 @@ pub(crate) struct Closed {
     pub(crate) scale: f64,
     /// Impulse of all rounds \[N·s\].
     pub(crate) impulse: f64,
+}
+
+impl Closed {
+    /// A pair whose grounds do not move relative to each other, with a coefficient of restitution \[–\].
+    pub fn on_one_ground(restitution: f64) -> Self {
+        Self {
+            rate: 0.0,
+            restitution,
+            passes_on: true,
+            scale: 0.0,
+            impulse: 0.0,
+        }
+    }
 }
 
 /// The pairs that touch at an instant, and scratch.
@@ -122,7 +135,8 @@ impl AnyRounds {
 }
 
 /// The rounds of a stepping method, from the velocities of all floors.
-pub(crate) struct Jumps {
+#[expect(missing_debug_implementations, reason = "scratch")]
+pub struct Jumps {
     floors: Vec<Floor>,
     touching: Vec<(usize, Relation)>,
     /// Whether grounds move under a pair.
@@ -143,7 +157,8 @@ struct Floor {
 }
 
 impl Jumps {
-    pub(crate) fn new<Column: RestoringForce>(row: &Row<Column>) -> Self {
+    /// Rounds for the pairs of a row.
+    pub fn new<Column: RestoringForce>(row: &Row<Column>) -> Self {
         let (buildings, n_pairs) = (row.buildings(), row.pairs().len());
         let floor = |(index, node): (usize, &crate::Node<Column>)| Floor {
             building: buildings.of(index),
@@ -165,29 +180,30 @@ impl Jumps {
     }
 
     /// Forgets the pairs.
-    pub(crate) fn clear(&mut self) {
+    pub fn clear(&mut self) {
         self.touching.clear();
         self.rounds.pairs.clear();
         self.opens = false;
     }
 
     /// Adds a pair by its index in the row. `rate` and `scale` are those of the grounds under it.
-    pub(crate) fn push(&mut self, pair: usize, relation: Relation, closed: Closed) {
+    pub fn push(&mut self, pair: usize, relation: Relation, closed: Closed) {
         self.touching.push((pair, relation));
         self.rounds.pairs.push(closed);
         self.opens |= closed.rate != 0.0;
     }
 
     /// The pairs, each with its impulse \[N·s\].
-    pub(crate) fn struck(&self) -> impl Iterator<Item = (usize, f64)> {
+    pub fn struck(&self) -> impl Iterator<Item = (usize, f64)> {
         let pairs = self.touching.iter().zip(&self.rounds.pairs);
         pairs.map(|((pair, _), closed)| (*pair, closed.impulse))
     }
 
     /// Applies jumps to the velocities \[m/s\] of all floors until no touching pair approaches; false if none did.
     ///
-    /// The error is a pair that walls on both sides leave no impulse.
-    pub(crate) fn strike_all(&mut self, velocities: &mut [f64]) -> Result<bool, usize> {
+    /// # Errors
+    /// A pair that walls on both sides leave no impulse.
+    pub fn strike_all(&mut self, velocities: &mut [f64]) -> Result<bool, usize> {
         for ((_, relation), closed) in self.touching.iter().zip(&mut self.rounds.pairs) {
             let speeds = relation.pushes().map(|(floor, part)| (part * velocities[floor]).abs());
             closed.scale += speeds.sum::<f64>();
@@ -251,14 +267,8 @@ mod tests {
         let row = Row::new(nodes, pairs).expect("a valid row");
         let mut jumps = Jumps::new(&row);
         for (index, pair) in row.pairs().iter().enumerate() {
-            let closed = Closed {
-                rate: 0.0,
-                restitution: pair.law.impulsive().expect("an impulsive law").restitution,
-                passes_on: true,
-                scale: 0.0,
-                impulse: 0.0,
-            };
-            jumps.push(index, pair.relation, closed);
+            let law = pair.law.impulsive().expect("an impulsive law");
+            jumps.push(index, pair.relation, Closed::on_one_ground(law.restitution));
         }
         let mut velocities = [1.0, 1.0 + f64::EPSILON, -1.0];
         assert_eq!(jumps.strike_all(&mut velocities), Ok(true));

@@ -203,9 +203,14 @@ impl Impacts {
         }
     }
 
+    /// Whether the velocity of a node has jumped.
+    pub(crate) fn has_jumped(&self, node: usize, states: &[State]) -> bool {
+        (states[node].velocity - self.before[node]).abs() > 0.0
+    }
+
     /// Whether the velocity of a node has jumped, or that of a floor joined to it by a damper.
-    fn feels_jump<Column: RestoringForce>(&self, row: &Row<Column>, node: usize, states: &[State]) -> bool {
-        let jumped = |node: usize| (states[node].velocity - self.before[node]).abs() > 0.0;
+    pub(crate) fn feels_jump<Column: RestoringForce>(&self, row: &Row<Column>, node: usize, states: &[State]) -> bool {
+        let jumped = |node: usize| self.has_jumped(node, states);
         let below = row.nodes()[node].support.below();
         jumped(node) || below.is_some_and(jumped) || row.above(node).is_some_and(jumped)
     }

@@ -67,15 +67,6 @@ impl<N: Number> Rounds<N> {
         }
     }
 
-    /// Replaces the structures by others with these mobilities \[1/kg\], and forgets the pairs.
-    #[inline(always)]
-    pub fn renew(&mut self, mobilities: impl Iterator<Item = N>) {
-        self.clear();
-        self.mobilities.clear();
-        self.mobilities.extend(mobilities);
-        self.velocities.clone_from(&self.mobilities);
-    }
-
     /// Forgets the pairs.
     #[inline(always)]
     pub fn clear(&mut self) {

@@ -3,8 +3,7 @@
 //! A link has the signs of a contact. Its deformation δ is the displacement of its left end minus that of its right end, so that r = δ̇ is
 //! the rate of compression. Its force F is positive if it pushes both ends apart. A link may pull.
 
-use crate::Relation;
-use crate::model::column::yielding;
+use crate::{Bilinear, Relation, RestoringForce};
 
 /// A link between two floors, or between a floor and the ground or a wall.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -199,12 +198,17 @@ impl LinkMemory {
 
 impl Spring {
     fn respond(&self, deformation: f64, rate: f64, plastic: f64) -> (f64, f64) {
-        let part = 1.0 - self.hardening;
-        let numbers = [part * self.stiffness, part * self.yield_force];
-        let at_yield = || self.yield_force / self.stiffness;
-        let response = yielding(deformation, plastic, numbers, at_yield, [0.0; 2]);
-        let line = self.hardening * self.stiffness * deformation;
-        (response.force + line + self.damping * rate, response.memory)
+        let response = self.alone().respond(deformation, plastic);
+        (response.force + self.damping * rate, response.memory)
+    }
+
+    /// The spring without the dashpot.
+    pub fn alone(&self) -> Bilinear {
+        Bilinear {
+            stiffness: self.stiffness,
+            yield_force: self.yield_force,
+            hardening: self.hardening,
+        }
     }
 }
 

@@ -1,6 +1,11 @@
 //! Points of a row that can meet, and the law of their contact.
 
-use pounding_contact::ContactLaw;
+#![expect(
+    clippy::inline_always,
+    reason = "instructions on lanes exist only inside the function that found the machine to have them"
+)]
+
+use pounding_contact::{ContactLaw, Number};
 
 use crate::{Node, PointFault};
 
@@ -20,13 +25,40 @@ pub enum Point {
 /// Its displacement is that of the base plus `lean` times the difference to the other floor. If both floors move alike, the point moves
 /// exactly with them.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Share {
+pub struct Share<N = f64> {
     /// The nearer floor; `None` is the ground.
     pub base: Option<usize>,
     /// The other floor; `None` is the ground.
     pub other: Option<usize>,
     /// Part of the other floor \[–\], 0 < lean ≤ 1/2.
-    pub lean: f64,
+    pub lean: N,
+}
+
+impl<N: Number> Share<N> {
+    /// The value at the point of a quantity of floors, which is 0 on the ground.
+    #[inline(always)]
+    pub fn of(self, quantity: impl Fn(usize) -> N) -> N {
+        let mut ends = [self.lean.like(0.0); 2];
+        for (end, floor) in ends.iter_mut().zip([self.base, self.other]) {
+            if let Some(floor) = floor {
+                *end = quantity(floor);
+            }
+        }
+        let [base, other] = ends;
+        base + self.lean * (other - base)
+    }
+
+    /// Distributes a force \[N\] or an impulse \[N·s\] on the point to its floors.
+    #[inline(always)]
+    pub fn spread(self, force: N, mut give: impl FnMut(usize, N)) {
+        let to_other = self.lean * force;
+        if let Some(base) = self.base {
+            give(base, force - to_other);
+        }
+        if let Some(other) = self.other {
+            give(other, to_other);
+        }
+    }
 }
 
 /// Two points that can meet.
@@ -148,10 +180,7 @@ impl Point {
         match self {
             Self::Floor(floor) => quantity(floor),
             Self::Ground(_) => 0.0,
-            Self::Share(Share { base, other, lean }) => {
-                let [base, other] = [base, other].map(|floor| floor.map_or(0.0, &quantity));
-                base + lean * (other - base)
-            }
+            Self::Share(share) => share.of(quantity),
         }
     }
 
@@ -172,15 +201,7 @@ impl Point {
         match self {
             Self::Floor(floor) => give(floor, force),
             Self::Ground(_) => {}
-            Self::Share(Share { base, other, lean }) => {
-                let to_other = lean * force;
-                if let Some(base) = base {
-                    give(base, force - to_other);
-                }
-                if let Some(other) = other {
-                    give(other, to_other);
-                }
-            }
+            Self::Share(share) => share.spread(force, give),
         }
     }
 

@@ -2,12 +2,12 @@
 
 use pounding_contact::ContactLaw;
 use pounding_solver::{
-    Bilinear, Braced, Clock, Elastic, Exact, Excitation, Hysteretic, Integrator, LastStates, Laws, Ledger, Link, LinkLaw, LinkPeak,
-    LinkPeaks, Motion, Node, Pair, Peaks, Point, Relation, Restrainer, Row, Spring,
+    AnyRow, Bilinear, Braced, Clock, Collisions, Elastic, Exact, Excitation, Floor, Hysteretic, Integrator, LastStates, Laws, Ledger, Link,
+    LinkLaw, LinkPeak, LinkPeaks, Motion, Node, Pair, Peaks, Point, Relation, Restrainer, Row, Spring, Viscous,
 };
 use serde_json::Value;
 
-use crate::common::{STEREOMECHANICAL, STIFF, VISCOELASTIC, WEAK, ground, pairs, yielding};
+use crate::common::{CENTRAL, STEREOMECHANICAL, STIFF, SUBSTEPPED, VISCOELASTIC, WEAK, clock, ground, pairs, slope, yielding};
 use crate::watch::Watch;
 
 const EXACT: Integrator = Integrator::Exact(Exact {
@@ -363,6 +363,164 @@ fn limit_of_weak_and_stiff_links() {
         (stiff[0] - joined).abs() < 1e-5 && (stiff[1] - joined).abs() < 1e-5,
         "{stiff:?} {joined}"
     );
+}
+
+/// Two structures, the right one of two storeys, with a link between the left one and the upper floor, and one to the ground.
+fn tower_beside_house(law: LinkLaw, pairs: Vec<Pair>) -> Row<Elastic> {
+    let house = Node::structure(3e5, 1e5, Elastic { stiffness: 1.2e7 });
+    let storey = Node::structure(2e5, 1e5, Elastic { stiffness: 4e7 });
+    let upper = storey.on_floor(Floor {
+        below: 1,
+        ground_damping: 4e4,
+    });
+    let links = vec![between(0.into(), 2.into(), law), between(1.into(), Point::Ground(1), law)];
+    let row = Row::new(vec![house, storey, upper], pairs).expect("a row");
+    row.linked(links).expect("links")
+}
+
+/// Displacements of all floors at the end.
+fn at_the_end(row: &Row<Elastic>, method: Integrator, time_step: f64) -> [f64; 3] {
+    let motion = ground();
+    let excitation = Excitation::new(0.01, &motion).expect("finite");
+    let mut last = LastStates::new(3);
+    method.watch(row, excitation, clock(time_step, 2.0), &mut last).expect("it runs");
+    [0, 1, 2].map(|node| last.of(node).displacement)
+}
+
+/// Central differences keep their order with links: dashpots do not lower it, and few kinks of springs hardly do.
+#[test]
+fn order_central_differences_with_links_against_the_exact_method() {
+    for (name, law) in laws() {
+        let row = tower_beside_house(law, vec![]);
+        let exact = at_the_end(&row, EXACT, 0.01);
+        let steps = [2e-3, 1e-3, 5e-4, 2.5e-4];
+        let errors = steps.map(|step| {
+            let found = at_the_end(&row, CENTRAL, step);
+            let off = found.iter().zip(&exact).map(|(found, exact)| (found - exact).abs());
+            off.fold(0.0, f64::max)
+        });
+        let order = slope(&steps, &errors);
+        let least = if matches!(name, "bilinear" | "friction" | "restrainer") {
+            1.0
+        } else {
+            1.9
+        };
+        assert!(order > least, "{name}: order {order}, errors {errors:?}");
+    }
+}
+
+/// The books of steps with links: impulses are those of the equations, between impacts and across them.
+#[test]
+fn reference_books_of_central_differences_with_links() {
+    let motion = ground();
+    let excitation = Excitation::new(0.01, &motion).expect("finite");
+    for contact in [STEREOMECHANICAL, VISCOELASTIC] {
+        for (name, law) in laws() {
+            for method in [CENTRAL, SUBSTEPPED] {
+                let row = tower_beside_house(law, vec![Pair::of_floors(0, 1, 0.005, contact)]);
+                let mut recorders = (Ledger::new(&row, excitation), Collisions::new(3, row.pairs()));
+                method.watch(&row, excitation, clock(2e-4, 4.0), &mut recorders).expect("it runs");
+                let (ledger, collisions) = recorders;
+                ledger.verdict().unwrap_or_else(|error| panic!("{name}: {error}"));
+                assert!(ledger.momentum() < 1e-11, "{name}: {}", ledger.momentum());
+                assert!(collisions.all().len() > 1, "{name}: nothing touches");
+                assert!(ledger.of_link(0).energy.abs() > 0.0, "{name}: the link must act");
+            }
+        }
+    }
+}
+
+/// Peaks of links approach those of the exact method, which finds them inside its pieces.
+#[test]
+fn reference_peaks_of_links_in_central_differences() {
+    let motion = ground();
+    let excitation = Excitation::new(0.01, &motion).expect("finite");
+    for (name, law) in laws() {
+        let row = tower_beside_house(law, vec![]);
+        let peaks = |method: Integrator| {
+            let mut peaks = LinkPeaks::new(row.links());
+            method.watch(&row, excitation, clock(2.5e-4, 4.0), &mut peaks).expect("it runs");
+            let LinkPeak {
+                push,
+                pull,
+                shortening,
+                elongation,
+            } = peaks.of(0);
+            [push, pull, shortening, elongation].map(|peak| peak.value)
+        };
+        let (found, exact) = (peaks(CENTRAL), peaks(EXACT));
+        assert!(exact[1] < -1e3 && exact[3] < -1e-3, "{name}: the link must act, {exact:?}");
+        for (found, exact) in found.iter().zip(&exact) {
+            assert!((found - exact).abs() <= 1e-4 * exact.abs(), "{name}: {found} instead of {exact}");
+        }
+    }
+}
+
+/// Impacts restart what dashpots join: the response approaches that of the exact method.
+#[test]
+fn order_central_differences_with_impacts_and_dashpots() {
+    let (_, law) = laws()[1];
+    let row = tower_beside_house(law, vec![Pair::of_floors(0, 1, 0.02, STEREOMECHANICAL)]);
+    let exact = at_the_end(&row, EXACT, 0.01);
+    let steps = [1e-3, 2.5e-4, 6.25e-5, 1.5625e-5];
+    let errors = steps.map(|step| {
+        let found = at_the_end(&row, CENTRAL, step);
+        let off = found.iter().zip(&exact).map(|(found, exact)| (found - exact).abs());
+        off.fold(0.0, f64::max)
+    });
+    let order = slope(&steps, &errors);
+    assert!(order > 0.9, "order {order}, errors {errors:?}");
+}
+
+/// Just below the limit a motion stays, just above it grows.
+#[test]
+fn limit_of_the_time_step_with_links() {
+    let spring = Spring {
+        stiffness: 5e8,
+        yield_force: f64::INFINITY,
+        hardening: 0.0,
+        damping: 0.0,
+    };
+    let dashpot = Spring {
+        stiffness: 0.0,
+        damping: 5e6,
+        ..spring
+    };
+    let both = Spring { damping: 5e6, ..spring };
+    for law in [spring, dashpot, both] {
+        let row = tower_beside_house(LinkLaw::Spring(law), vec![]);
+        let any = AnyRow::Elastic(row.clone());
+        let limit = CENTRAL.limit_of_links(&any, 1.0).expect("a limit");
+        assert_eq!(CENTRAL.limit_of_links(&any, 0.999 * limit), None);
+        assert_eq!(EXACT.limit_of_links(&any, 1.0), None);
+        let peak = |time_step: f64| {
+            let motion = ground();
+            let excitation = Excitation::new(0.01, &motion).expect("finite");
+            let mut peaks = Peaks::new(3);
+            let n_steps = 20_000;
+            CENTRAL.watch(&row, excitation, Clock { time_step, n_steps }, &mut peaks).map(|_| {
+                [0, 1, 2]
+                    .map(|node| peaks.of(node).displacement.value.abs())
+                    .into_iter()
+                    .fold(0.0, f64::max)
+            })
+        };
+        let below = peak(0.999 * limit).expect("it stays");
+        assert!(below < 1.0, "{law:?}: {below} m");
+        assert!(peak(1.001 * limit).map_or(true, |above| above > 1e3), "{law:?}: it must grow");
+    }
+}
+
+#[test]
+fn extreme_bare_dampers_are_refused_by_central_differences() {
+    let law = LinkLaw::Viscous(Viscous {
+        coefficient: 1e5,
+        exponent: 0.5,
+    });
+    let row = tower_beside_house(law, vec![]);
+    let still = Excitation::new(0.01, &[0.0]).expect("finite");
+    let refused = CENTRAL.watch(&row, still, clock(1e-3, 1.0), &mut Peaks::new(3));
+    insta::assert_snapshot!(refused.expect_err("a refusal"), @"links[0]: found a viscous damper without a brace, whose force is too steep at rest for central differences; allowed is one with a brace, or the method rk4");
 }
 
 #[test]

@@ -16,7 +16,10 @@ fn elastic(method: Value) -> Value {
 /// A scene with a changed field.
 fn with(mut scene: Value, place: &str, value: Value) -> Value {
     let (above, field) = place.rsplit_once('/').expect("a place");
-    scene.pointer_mut(above).expect("a table")[field] = value;
+    match field.parse::<usize>() {
+        Ok(index) => scene.pointer_mut(above).expect("a list")[index] = value,
+        Err(_) => scene.pointer_mut(above).expect("a table")[field] = value,
+    }
     scene
 }
 
@@ -25,12 +28,25 @@ fn stepping(name: &str) -> Value {
 }
 
 /// Scenes with the reported reason; `None` if they run in lanes.
-fn scenes() -> [(Option<&'static str>, Value); 15] {
+fn scenes() -> [(Option<&'static str>, Value); 19] {
     let (exact, central) = (json!({"exact": {}}), stepping("central_difference"));
     let towers = towers::words(&json!({}))["scene"].take();
     let smooth = "/structures/0/sdof/bouc_wen";
     let law = "/contacts/0/law";
     let slopes = json!({"two_slopes": {"impact_stiffness_n_per_m": 1e7, "second_stiffness_n_per_m": 1e8, "second_from_m": 0.005}});
+    let leaning = with(
+        with(scene(), "/structures/0/sdof/height_m", json!(3.0)),
+        "/structures/0/sdof/gravity_load_n",
+        json!(2e5),
+    );
+    let linked = |law: Value| {
+        let ends = json!([{"structure": 1}, {"structure": 2}]);
+        with(scene(), "/links", json!([{"between": ends, "law": law}]))
+    };
+    let storeys = json!([{"mass_kg": 1e5, "height_m": 3.0, "repeat": 2}]);
+    let frame = json!({"building": {"name": "frame", "period_s": 0.5, "damping": {"ratio": 0.05}, "storeys": storeys}});
+    let slab = with(with(scene(), "/structures/0/sdof/height_m", json!(4.5)), "/structures/1", frame);
+    let slab = with(slab, "/contacts/0/heights_m", json!([4.5]));
     let tangent = json!({"rayleigh": {"alpha_per_s": 0.3, "beta_s": 0.001, "stiffness": "tangent"}});
     [
         (None, scene()),
@@ -58,6 +74,13 @@ fn scenes() -> [(Option<&'static str>, Value); 15] {
             with(with(scene(), "/method", stepping("rk4")), "/structures/0/sdof/damping", tangent),
         ),
         (Some("elastic structures"), with(scene(), "/method", exact)),
+        (None, leaning),
+        (
+            None,
+            linked(json!({"spring": {"stiffness_n_per_m": 1e6, "yield_force_n": 1e4, "damping_n_s_per_m": 1e4}})),
+        ),
+        (Some("cables"), linked(json!({"restrainer": {"stiffness_n_per_m": 1e6}}))),
+        (None, slab),
     ]
 }
 

@@ -65,3 +65,27 @@ fn issue_a_summary_counts_collapses() {
     assert_eq!(count("failed").as_deref(), Some("0"));
     assert_eq!(count("collapsed").as_deref(), Some("3"));
 }
+
+/// Runs under gravity go side by side with the digits of runs alone; those that collapse run alone, because a collapse ends a run.
+#[test]
+fn limit_runs_under_gravity_go_side_by_side_until_they_collapse() {
+    let run = |name: &str, outputs: &[&str], beside: usize| {
+        let mut words = words(&json!({"outputs": {"structures": outputs, "pairs": []}}));
+        words["scene"]["method"] = json!({"central_difference": {"time_step_s": 0.005}});
+        let sweep = sweep(&folder(name), &words);
+        let batch = sweep.batch(RUNS);
+        assert_eq!(batch.beside, beside, "{:?}", sweep.alone_because());
+        assert!(batch.failed.iter().all(Option::is_none));
+        let columns = sweep.columns();
+        let of = |wanted: &str| {
+            let place = columns.iter().position(|name| name.ends_with(wanted)).expect("a column");
+            let rows = table(&sweep, RUNS).into_iter();
+            rows.map(move |row| row[place].clone()).collect::<Vec<_>>()
+        };
+        [of(": peak_displacement_m"), of("collapse_s")]
+    };
+    let fast = run("leaning-beside", &["peak_displacement_m"], 2);
+    let slow = run("leaning-alone", &["peak_displacement_m", "peak_displacement_time_s"], 0);
+    assert_eq!(fast, slow);
+    assert_eq!(fast[1].iter().filter(|instant| !instant.is_empty()).count(), 3);
+}

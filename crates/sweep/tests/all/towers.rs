@@ -101,7 +101,7 @@ fn limit_every_number_of_lanes_is_that_of_a_run_alone() {
         }
         known += 1;
     }
-    assert_eq!((known, unknown), (9, 13));
+    assert_eq!((known, unknown), (10, 12));
 }
 
 /// The severest value over the floors of a building, and over the levels of two neighbours; in lanes and alone.

@@ -46,6 +46,12 @@ impl<N: Number> Coefficients<N> {
         (after + before) / after.like(2.0 * self.time_step)
     }
 
+    /// Velocity at the end of two increments \[m/s\], of second order: dashpots of links need it before the next increment is known.
+    #[inline(always)]
+    pub fn extrapolated(time_step: f64, [before, after]: [N; 2]) -> N {
+        (after.like(1.5) * after - after.like(0.5) * before) / after.like(time_step)
+    }
+
     /// Increment from the velocity \[m/s\] and acceleration \[m/s²\] at a node, as a textbook begins a run.
     #[inline(always)]
     pub fn restarted(time_step: f64, velocity: N, acceleration: N) -> N {

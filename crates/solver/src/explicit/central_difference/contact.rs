@@ -82,11 +82,14 @@ impl<Column: RestoringForce> CentralDifferenceRun<'_, Column> {
             ground: node.ground,
             time: node.time,
         };
-        self.jumps.jump(self.row, &mut self.states, now, recorder)?;
-        for (state, body) in self.states.iter().zip(&mut self.bodies) {
-            // Through dashpots, the acceleration of a floor jumps with the velocity of its neighbours in the building.
+        if !self.jumps.jump(self.row, &mut self.states, now, recorder)? {
+            return Ok(());
+        }
+        self.relink(node.ground);
+        for ((state, body), relinked) in self.states.iter().zip(&mut self.bodies).zip(&self.relinked) {
+            // Through dashpots, the acceleration of a floor jumps with the velocity of its neighbours in the building and of linked floors.
             let jumped = (state.velocity - body.start.velocity).abs() > 0.0 || (state.acceleration - body.start.acceleration).abs() > 0.0;
-            if jumped {
+            if jumped || *relinked {
                 body.start = *state;
                 body.velocity = state.velocity;
                 body.restart(self.steps[usize::from(body.fine)]);
@@ -112,6 +115,11 @@ impl<Column: RestoringForce> CentralDifferenceRun<'_, Column> {
                     self.bodies[floor].fine = true;
                 }
                 any = true;
+            }
+        }
+        if any && self.links.is_some() {
+            for body in &mut self.bodies {
+                body.fine = true;
             }
         }
         if any && self.storeys.is_some() {

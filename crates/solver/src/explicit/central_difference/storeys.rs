@@ -5,6 +5,7 @@
 
 use super::building::{FloorCoefficients, Floors, solve};
 use super::{Body, CentralDifferenceRun, Instant};
+use crate::link_forces::LinkForces;
 use crate::model::dashpots::Dashpots;
 use crate::pushes::Pushes;
 use crate::span::{Load, StoreyForces, Weights};
@@ -68,6 +69,7 @@ impl<Column: RestoringForce> CentralDifferenceRun<'_, Column> {
                 coefficients,
                 solutions: &mut storeys.solutions[range.clone()],
                 pushes: &mut self.pushes,
+                links: self.links.as_mut(),
                 is_finite: true,
             };
             // All floors of a building stand on one ground.
@@ -103,6 +105,7 @@ struct Building<'a, Column: RestoringForce> {
     solutions: &'a mut [Solution],
     /// Pushes of the whole row.
     pushes: &'a mut Pushes,
+    links: Option<&'a mut LinkForces>,
     /// Whether all next displacements are finite numbers.
     is_finite: bool,
 }
@@ -137,8 +140,7 @@ impl<Column: RestoringForce> Floors<f64> for Building<'_, Column> {
 
     #[inline]
     fn pounding(&self, level: usize) -> f64 {
-        let body = &self.bodies[self.floors[level]];
-        body.force_from_left + body.force_from_right
+        self.bodies[self.floors[level]].pushed()
     }
 
     #[inline]
@@ -256,7 +258,7 @@ impl<Column: RestoringForce> Building<'_, Column> {
             above.velocity = velocity;
             let body = &mut self.bodies[index];
             body.displacement += found.increment;
-            body.increment = found.increment;
+            (body.earlier, body.increment) = (body.increment, found.increment);
             body.velocity = found.velocity;
             body.start = end;
             body.start_time = time;
@@ -294,6 +296,9 @@ impl<Column: RestoringForce> Building<'_, Column> {
         let slots = self.row.incidence().slots_at(index);
         self.pushes.end(slots.clone(), weights.scale);
         span.pushes = self.pushes.of(slots);
+        if let Some(links) = &mut self.links {
+            span.links = links.end(self.row.linking().slots_at(index), weights.scale);
+        }
         recorder.span(&span);
     }
 
