@@ -254,6 +254,9 @@ impl<R: Recorder> ExactRun<'_, R> {
                 let contact = &mut self.touching.contacts[pair];
                 contact.join = Join::Apart;
                 contact.faded = true;
+                for node in contact.floors() {
+                    self.moving.members[node].lean_no_more();
+                }
             }
             Event::Reversal(pair) => {
                 let contact = &mut self.touching.contacts[pair];
