@@ -165,8 +165,11 @@ impl LinkPhase {
             (Branch::Taut { .. }, _) => [Some(Change::Turns), Some(Change::LetsGo)],
             (Branch::Yields, _) => [Some(Change::Turns), None],
             // An odd power needs no sign.
-            (Branch::Flows { .. }, Law::Braced { damper, .. }) if damper.inverse_exponent % 2 == 0 => [Some(Change::Crosses), None],
-            (Branch::Spring(_) | Branch::Flows { .. }, _) => [None; 2],
+            (Branch::Flows { .. }, Law::Braced { damper, .. }) if damper.inverse_exponent % 2 == 0 => {
+                [Some(Change::Turns), Some(Change::Crosses)]
+            }
+            // For the peak of its deformation.
+            (Branch::Spring(_) | Branch::Flows { .. }, _) => [Some(Change::Turns), None],
         }
     }
 }
