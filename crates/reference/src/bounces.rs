@@ -156,7 +156,11 @@ impl Runner {
         let still = self.motion.still(&self.state.high).len();
         self.unite();
         // Floors that stop with others may stick, too.
-        if self.motion.still(&self.state.high).len() > still { self.rest(time) } else { Ok(()) }
+        if self.motion.still(&self.state.high).len() > still {
+            self.rest(time)
+        } else {
+            Ok(())
+        }
     }
 
     /// Sets the velocities of floors of the block that follow others, each over its ground, to the last digit.

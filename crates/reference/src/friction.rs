@@ -4,7 +4,7 @@
 //! forces, and the floor sticks while it is at most the limit. A floor that slides has the limit as friction, against its motion.
 //!
 //! Where floors do not move, all choices are tried: each may stick, or begin to slide to one side, unless it would accelerate to the other one.
-//! Of those that fit, neighbours that press have the least Σ F²: they bear only what friction does not hold.
+//! Of those that fit and in which most floors stick, neighbours that press have the least Σ F²: they bear only what friction does not hold.
 
 use super::equations::Equations;
 use super::model::{TIME, velocity};
@@ -73,14 +73,14 @@ impl Equations {
         }
         let mut best: Option<([f64; 2], Vec<f64>)> = None;
         for sides in sides(still.len()) {
+            // Of the choices that fit, only those in which most floors stick count.
+            let fits = |([miss, _], known): &([f64; 2], Vec<f64>)| *miss == 0.0 && n_sliding(known) < n_sliding(&sides);
+            if best.as_ref().is_some_and(fits) {
+                break;
+            }
             let found = self.try_sides(&still, &sides, resting, y, scratch);
-            // Without any forces of neighbours, or all from floors that stick, no other choice has less.
-            let least = found[0] == 0.0 && (found[1] == 0.0 || sides.iter().all(|side| *side == 0.0));
             if best.as_ref().is_none_or(|(known, _)| found < *known) {
                 best = Some((found, sides));
-            }
-            if least {
-                break;
             }
         }
         for (floor, side) in still.iter().zip(best.map_or(Vec::new(), |(_, sides)| sides)) {
@@ -105,7 +105,11 @@ impl Equations {
         };
         let closing = |pair: &usize| closings[*pair][0] - closings[*pair][1];
         let all = still.iter().zip(sides).map(wrong).chain(resting.iter().map(closing));
-        let squares = self.block.pairs.iter().map(|pair| scratch[self.model.impulse(*pair)] * scratch[self.model.impulse(*pair)]);
+        let squares = self
+            .block
+            .pairs
+            .iter()
+            .map(|pair| scratch[self.model.impulse(*pair)] * scratch[self.model.impulse(*pair)]);
         [all.fold(0.0, f64::max), squares.sum()]
     }
 
@@ -161,6 +165,10 @@ fn sides(n: usize) -> Vec<Vec<f64>> {
         let longer = |sides: &Vec<f64>| [0.0, 1.0, -1.0].map(|side| [sides.as_slice(), &[side]].concat());
         all = all.iter().flat_map(longer).collect();
     }
-    all.sort_by_key(|sides| sides.iter().filter(|side| **side != 0.0).count());
+    all.sort_by_key(|sides| n_sliding(sides));
     all
+}
+
+fn n_sliding(sides: &[f64]) -> usize {
+    sides.iter().filter(|side| **side != 0.0).count()
 }

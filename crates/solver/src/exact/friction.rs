@@ -100,13 +100,6 @@ impl Member {
         }
     }
 
-    /// Lets a floor stick that slid against a neighbour which no longer presses: its friction would push the next neighbour.
-    pub(super) fn lean_no_more(&mut self) {
-        if self.stick.is_some() && self.state.velocity == 0.0 {
-            self.go_on(Branch::Elastic);
-        }
-    }
-
     /// Continues after an impact. A floor that did not move in it sticks or slides as before: it may be pressed against a neighbour.
     pub(super) fn collide(&mut self, jumped: bool) {
         if jumped {
@@ -199,6 +192,16 @@ pub(super) fn press(contact: &PairState, members: &mut [Member], n: usize) {
 }
 
 impl<R: Recorder> ExactRun<'_, R> {
+    /// Lets floors of a pair stick that slid against each other and no longer press: their friction would push the next neighbour.
+    pub(super) fn lean_no_more(&mut self, pair: usize) {
+        for node in self.touching.contacts[pair].floors() {
+            let member = &mut self.moving.members[node];
+            if member.stick.is_some() && member.state.velocity == 0.0 {
+                member.go_on(Branch::Elastic);
+            }
+        }
+    }
+
     /// Stops floors that an impact leaves against others that stand still, without the rounding of the flight before.
     pub(super) fn stop_against_still(&mut self, hits: &[Hit]) {
         if self.moving.members.iter().all(|member| member.stick.is_none()) {

@@ -7,10 +7,10 @@
 
 use crate::exact::contact::{Join, PairState};
 use crate::exact::friction;
-use crate::exact::rounding::OF_COEFFICIENTS;
 use crate::exact::groups::{Block, Group, Lighter, Side};
 use crate::exact::links::LinkState;
 use crate::exact::member::Member;
+use crate::exact::rounding::OF_COEFFICIENTS;
 use crate::exact::storey::{self, own_force};
 use crate::exact::tie::Tie;
 use crate::model::incidence::Incidence;

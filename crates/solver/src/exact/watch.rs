@@ -254,9 +254,7 @@ impl<R: Recorder> ExactRun<'_, R> {
                 let contact = &mut self.touching.contacts[pair];
                 contact.join = Join::Apart;
                 contact.faded = true;
-                for node in contact.floors() {
-                    self.moving.members[node].lean_no_more();
-                }
+                self.lean_no_more(pair);
             }
             Event::Reversal(pair) => {
                 let contact = &mut self.touching.contacts[pair];
