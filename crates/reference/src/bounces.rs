@@ -15,6 +15,8 @@ impl Runner {
     /// Impacts of all impulsive pairs that touch now; then they rest or part.
     pub(super) fn collide(&mut self, time: f64) -> Result<(), SecondRouteError> {
         let touching = impact::touching(&self.motion, &self.state.high);
+        // Impulses are larger than any friction.
+        self.motion.release();
         let groups = impact::together(&self.motion.model, &touching, time)?;
         for &pair in &touching {
             self.state.set(self.motion.model.pairs[pair].deformation, 0.0);
@@ -42,7 +44,7 @@ impl Runner {
             }
         }
         self.record.impacts(&self.motion, &impulses, &least, time);
-        self.begin_or_end(&phases, time);
+        self.begin_or_end(&phases, time)?;
         for &pair in &touching {
             self.proposal = self.proposal.min(self.flight(pair).max(SHORTEST));
         }
@@ -61,6 +63,7 @@ impl Runner {
         let mut outcomes: Vec<_> = (0..self.bounces.len()).map(outcome).collect();
         let (state, phases) = (self.state.clone(), self.motion.phases.clone());
         loop {
+            self.motion.release();
             let model = &self.motion.model;
             let impulses = impact::collide(model, &mut self.state.high, groups, &outcomes);
             self.motion.phases.redirect(model, &self.state.high);
@@ -138,12 +141,11 @@ impl Runner {
         impact::together(&self.motion.model, &touching, time)?;
         let before = self.motion.phases.clone();
         self.motion.decide(&self.state.high, &mut self.scratch);
-        self.begin_or_end(&before, time);
-        Ok(())
+        self.begin_or_end(&before, time)
     }
 
     /// Records which pairs begin to press at rest, and which stop.
-    fn begin_or_end(&mut self, before: &super::phases::Phases, time: f64) {
+    fn begin_or_end(&mut self, before: &super::phases::Phases, time: f64) -> Result<(), SecondRouteError> {
         for pair in 0..before.pairs.len() {
             match (before.presses(pair), self.motion.phases.presses(pair)) {
                 (false, true) => self.touch(pair, time),
@@ -151,7 +153,14 @@ impl Runner {
                 (true, true) | (false, false) => {}
             }
         }
+        let still = self.motion.still(&self.state.high).len();
         self.unite();
+        // Floors that stop with others may stick, too.
+        if self.motion.still(&self.state.high).len() > still {
+            self.rest(time)
+        } else {
+            Ok(())
+        }
     }
 
     /// Sets the velocities of floors of the block that follow others, each over its ground, to the last digit.

@@ -81,6 +81,7 @@ fn spot(point: Point, structures: &mut Vec<Structure>) -> Spot {
             let carried = structures[floor];
             structures.push(Structure {
                 inverse_mass: 0.0,
+                friction: None,
                 below: None,
                 body: structures.len(),
                 columns: StoreyColumns {

@@ -127,6 +127,7 @@ impl Equations {
             dy[model.impulse(index)] = force;
         }
         self.pull(y, dy);
+        self.rub(y, dy);
         // Converts forces to absolute accelerations.
         for (index, structure) in model.structures.iter().enumerate() {
             let slope = &mut dy[velocity(index)];

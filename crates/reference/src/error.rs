@@ -39,8 +39,8 @@ pub enum SecondRouteError {
         /// Place of the link in the row, from 0.
         link: usize,
     },
-    /// A storey that sticks and slides under friction.
-    #[error("second route: nodes[{node}] sticks under friction; give it a yield displacement")]
+    /// A storey on another floor that sticks and slides under friction.
+    #[error("second route: nodes[{node}] sticks under friction above another floor; give it a yield displacement")]
     Sticks {
         /// Node of its floor.
         node: usize,

@@ -43,6 +43,10 @@ pub(super) enum Event {
     Fade(usize),
     /// A pair at rest without a force would close or open.
     Stir(usize),
+    /// The friction that holds a floor reaches its limit.
+    Slip(usize),
+    /// The friction that holds a floor has a maximum or minimum.
+    FrictionPeak(usize),
     /// A link changes.
     Link(usize, Change),
 }
@@ -58,7 +62,11 @@ pub(super) fn list(motion: &Equations, variable: Variable, events: &mut Vec<Even
         Variable::Time | Variable::RootOfTime { .. } => None,
     };
     for (index, phase) in motion.phases.structures.iter().enumerate() {
-        if motion.model.structures[index].inverse_mass == 0.0 {
+        if phase.held.is_some() {
+            events.extend([Event::Slip(index), Event::FrictionPeak(index)]);
+            events.extend(phase.push.map(|_| Event::Balance(index)));
+        }
+        if motion.model.is_wall(index) {
             continue;
         }
         events.push(Event::Turn(index));
@@ -166,6 +174,8 @@ impl Event {
                 scratch[model.impulse(pair)]
             }
             Self::Stir(pair) => motion.idles(pair, y, scratch),
+            Self::Slip(floor) => motion.before_slip(floor, y, scratch),
+            Self::FrictionPeak(floor) => motion.friction_peak(floor, y, scratch),
             Self::Link(link, change) => motion.before_change(link, change, y),
         }
     }
@@ -182,8 +192,8 @@ impl Event {
     pub(super) fn apply(self, motion: &mut Equations, y: &[f64]) {
         let Equations { model, phases, .. } = motion;
         match self {
-            // Pairs at rest are decided again after every event.
-            Self::SegmentEnd | Self::Fade(_) | Self::Stir(_) => {}
+            // Pairs at rest and friction are decided again after every event.
+            Self::SegmentEnd | Self::Fade(_) | Self::Stir(_) | Self::Slip(_) | Self::FrictionPeak(_) => {}
             Self::Turn(structure) => phases.turn(structure, model, y),
             Self::DriftTurn(structure) => phases.turn_drift(structure, model, y),
             Self::Yield(structure) => motion.yields(structure, y),

@@ -40,6 +40,7 @@
 //!   of Bouc–Wen columns is an unknown, too. For a travelling ground motion the record is integrated exactly to the velocities and
 //!   displacements of the grounds.
 //! - The force of a damper with a brace is an unknown. All other links have a force by their deformation, its rate and their branch.
+//! - A floor that friction holds is a wall on its own ground. The friction follows from its balance, and lets go at its limit.
 //! - When the bounces of a stereomechanical pair have ended, its floors stay in contact until their contact force falls to 0.
 //!
 //! This crate is not fast and has no recorders; `pounding-solver` is and does. Scenes are in `pounding-scene`. `second_route` in
@@ -55,6 +56,7 @@ mod ends;
 mod equations;
 mod error;
 mod events;
+mod friction;
 mod impact;
 mod law;
 mod link_motion;

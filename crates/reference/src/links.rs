@@ -163,10 +163,12 @@ impl LinkPhase {
             (Branch::Slack { .. }, _) => [Some(Change::Turns), lengthens.then_some(Change::Tightens)],
             (Branch::Taut { .. }, _) if lengthens => [Some(Change::Turns), Some(Change::Yields)],
             (Branch::Taut { .. }, _) => [Some(Change::Turns), Some(Change::LetsGo)],
-            (Branch::Yields, _) => [Some(Change::Turns), None],
             // An odd power needs no sign.
-            (Branch::Flows { .. }, Law::Braced { damper, .. }) if damper.inverse_exponent % 2 == 0 => [Some(Change::Crosses), None],
-            (Branch::Spring(_) | Branch::Flows { .. }, _) => [None; 2],
+            (Branch::Flows { .. }, Law::Braced { damper, .. }) if damper.inverse_exponent % 2 == 0 => {
+                [Some(Change::Turns), Some(Change::Crosses)]
+            }
+            // Without a change of branch it is the peak of its deformation.
+            (Branch::Yields | Branch::Spring(_) | Branch::Flows { .. }, _) => [Some(Change::Turns), None],
         }
     }
 }

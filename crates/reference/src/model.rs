@@ -6,13 +6,13 @@ use super::SecondRouteError;
 use super::ends::Ends;
 use super::law::Law;
 use super::links::Link;
-use super::storey::{Smooth, StoreyColumns, Structure};
+use super::storey::{Friction, Smooth, StoreyColumns, Structure};
 
 /// Index in the vector of unknowns of the time within the present segment of the record \[s\].
 ///
 /// Displacement and velocity of each structure follow, then the impulse of the present collision of each pair. The deformation and its rate
-/// of each pair are next. The elastic part of the drift of each storey with smoothly yielding columns follows, then the force of each link
-/// that flows.
+/// of each pair are next. The elastic part of the drift of each storey with smoothly yielding columns follows, or the impulse of its friction,
+/// then the force of each link that flows.
 ///
 /// A deformation is a separate unknown, because a difference of displacements would lose the digits of small bounces.
 pub(super) const TIME: usize = 0;
@@ -54,7 +54,7 @@ impl Model {
     /// # Errors
     /// A link has a law, or a storey columns, that this program does not integrate.
     pub(super) fn new<Column: Hysteretic>(row: &Row<Column>) -> Result<Self, SecondRouteError> {
-        let sticks = |node: &Node<Column>| node.column.hysteresis().knee == Knee::Rigid;
+        let sticks = |node: &Node<Column>| node.column.hysteresis().knee == Knee::Rigid && node.support != Support::Ground;
         if let Some(node) = row.nodes().iter().position(sticks) {
             return Err(SecondRouteError::Sticks { node });
         }
@@ -72,6 +72,10 @@ impl Model {
         for structure in &mut structures {
             if let Some(Smooth { unknown, .. }) = &mut structure.columns.smooth {
                 *unknown = next;
+                next += 1;
+            }
+            if let Some(friction) = &mut structure.friction {
+                friction.unknown = next;
                 next += 1;
             }
         }
@@ -195,6 +199,8 @@ fn structure<Column: Hysteretic>(node: &Node<Column>, index: usize, arrival: f64
         Support::Ground => (None, 0.0),
         Support::Floor(floor) => (Some(floor.below), floor.ground_damping),
     };
+    let hysteresis = node.column.hysteresis();
+    let sticks = hysteresis.knee == Knee::Rigid && !node.is_wall();
     Structure {
         inverse_mass: node.inverse_mass,
         below,
@@ -202,7 +208,13 @@ fn structure<Column: Hysteretic>(node: &Node<Column>, index: usize, arrival: f64
         damping: node.damping,
         elastic_damping: node.elastic_damping,
         ground_damping,
-        columns: StoreyColumns::of(node.column.hysteresis()),
+        columns: StoreyColumns::of(hysteresis),
+        friction: sticks.then_some(Friction {
+            limit: hysteresis.yield_force,
+            inverse_mass: node.inverse_mass,
+            // The model numbers the unknown.
+            unknown: 0,
+        }),
         arrival,
         initial_displacement: node.initial_displacement,
         initial_velocity: node.initial_velocity,
@@ -214,5 +226,17 @@ impl Model {
     pub(super) fn smooth(&self) -> impl Iterator<Item = (usize, Smooth)> {
         let storeys = self.structures.iter().enumerate();
         storeys.filter_map(|(index, storey)| Some((index, storey.columns.smooth?)))
+    }
+
+    /// Friction below a floor \[N\], from the derivative of the unknowns, limited despite rounding; 0 without any.
+    pub(super) fn friction(&self, structure: usize, slope: &[f64]) -> f64 {
+        let friction = self.structures[structure].friction;
+        friction.map_or(0.0, |Friction { limit, unknown, .. }| slope[unknown].clamp(-limit, limit))
+    }
+
+    /// Floors with friction below them.
+    pub(super) fn frictions(&self) -> impl Iterator<Item = (usize, Friction)> {
+        let storeys = self.structures.iter().enumerate();
+        storeys.filter_map(|(index, storey)| Some((index, storey.friction?)))
     }
 }

@@ -23,6 +23,8 @@ pub(super) struct StructurePhase {
     pub drift_direction: f64,
     /// Sign of the net pounding force while both neighbours touch.
     pub push: Option<f64>,
+    /// Sign of the rate of the friction that holds the floor; `None` if it slides in its `direction`, or has no friction.
+    pub held: Option<f64>,
     pub branch: Branch,
 }
 
@@ -97,6 +99,7 @@ impl Phases {
                 direction: sign(own),
                 drift_direction: sign(own - below.unwrap_or(0.0)),
                 push: None,
+                held: None,
                 branch: structure.columns.first_branch(drift),
             }
         };

@@ -100,7 +100,7 @@ impl Record {
         for (index, structure) in self.response.structures.iter_mut().enumerate() {
             let columns = &motion.model.structures[index].columns;
             let drift = motion.model.drift(index, y);
-            let force = columns.bounded(motion.restoring_force(index, y), drift);
+            let force = columns.bounded(motion.restoring_force(index, y), drift) + motion.model.friction(index, slope);
             take(&mut structure.displacement, y[displacement(index)], time);
             take(&mut structure.drift, drift, time);
             take(&mut structure.restoring_force, force, time);
@@ -190,15 +190,15 @@ impl Record {
         }
     }
 
-    /// Closes collisions in progress at the end of the run.
-    pub(super) fn finish(mut self, motion: &Equations, state: &State, time: f64) -> Response {
+    /// Closes collisions in progress at the end of the run. `slope` is the derivative of the unknowns there.
+    pub(super) fn finish(mut self, motion: &Equations, state: &State, slope: &[f64], time: f64) -> Response {
         for index in 0..motion.model.pairs.len() {
             self.part(index, state.high[motion.model.impulse(index)], 0.0, time);
         }
         for (index, structure) in self.response.structures.iter_mut().enumerate() {
             structure.end_displacement = state.high[displacement(index)];
             structure.end_velocity = state.high[velocity(index)];
-            structure.end_restoring_force = motion.restoring_force(index, &state.high);
+            structure.end_restoring_force = motion.restoring_force(index, &state.high) + motion.model.friction(index, slope);
         }
         self.response
     }

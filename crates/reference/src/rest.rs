@@ -15,7 +15,7 @@ use super::phases::ContactPhase;
 use super::storey::sign;
 
 /// Rounding of a closing acceleration, relative to its terms.
-const IDLE: f64 = 1e-13;
+pub(super) const IDLE: f64 = 1e-13;
 
 /// How the rate of the force of a pair at rest is computed.
 #[derive(Debug, Clone, Copy)]
@@ -40,10 +40,10 @@ impl Probe {
 }
 
 impl Equations {
-    /// Whether any pair is at rest.
+    /// Whether any pair is at rest, or friction could hold a floor.
     pub(super) fn rests(&self) -> bool {
         let mut pairs = self.phases.pairs.iter();
-        pairs.any(|phase| matches!(phase.contact, ContactPhase::Resting { .. }))
+        pairs.any(|phase| matches!(phase.contact, ContactPhase::Resting { .. })) || self.model.frictions().next().is_some()
     }
 
     /// Sets the accelerations of floors at rest and the forces of their pairs; `slope` has absolute accelerations.
@@ -55,6 +55,7 @@ impl Equations {
         let without = self.floors(slope);
         for (pair, force) in block.pairs.iter().zip(block.forces(identity, &without)) {
             slope[model.impulse(*pair)] = force;
+            self.brace(*pair, force, slope);
         }
         let accelerations = block.accelerations(identity, &without);
         for (floor, acceleration) in accelerations.into_iter().enumerate() {
@@ -68,8 +69,8 @@ impl Equations {
         floors.map(|floor| slope[velocity(floor)]).collect()
     }
 
-    /// Magnitude of the terms of the acceleration of every floor and wall \[m/s²\].
-    fn terms(&self, y: &[f64]) -> Vec<f64> {
+    /// Magnitude of the terms of the force on every floor \[N\], without those of pairs at rest.
+    pub(super) fn loads(&self, y: &[f64]) -> Vec<f64> {
         let structures = self.model.structures.iter().enumerate();
         let mut forces = vec![0.0; self.model.structures.len()];
         for (index, structure) in structures {
@@ -101,6 +102,15 @@ impl Equations {
                 forces[floor] += part.abs() * force;
             }
         }
+        for (index, friction) in self.model.frictions() {
+            forces[index] += friction.limit + self.segment.ground(index, y[TIME]).abs() / friction.inverse_mass;
+        }
+        forces
+    }
+
+    /// Magnitude of the terms of the acceleration of every floor and wall \[m/s²\].
+    pub(super) fn terms(&self, y: &[f64]) -> Vec<f64> {
+        let mut forces = self.loads(y);
         for (index, force) in forces.iter_mut().enumerate() {
             *force = if self.model.is_wall(index) {
                 self.segment.ground(index, y[TIME]).abs()
@@ -139,18 +149,24 @@ impl Equations {
         rounding - closing.abs()
     }
 
-    /// Decides which pairs at rest press, which part, and which are idle.
+    /// Finds the block of some pairs at rest; returns the closing accelerations of all pairs and their rounding \[m/s²\].
+    pub(super) fn press(&mut self, resting: &[usize], y: &[f64], scratch: &mut [f64]) -> Vec<[f64; 2]> {
+        self.accelerate(NOW, y, scratch);
+        let (without, terms) = (self.floors(scratch), self.terms(y));
+        let groups = groups(&self.model, resting).into_iter();
+        let pressing = groups.flat_map(|group| self.pressing(&group, &without, &terms));
+        self.block = Block::new(&self.model, pressing.collect());
+        self.closings(&self.block, &without, &terms)
+    }
+
+    /// Decides which floors stick, and which pairs at rest press, which part, and which are idle.
     ///
     /// `scratch` is the derivative of the unknowns afterwards.
     pub(super) fn decide(&mut self, y: &[f64], scratch: &mut [f64]) {
         let rests = |&pair: &usize| matches!(self.phases.pairs[pair].contact, ContactPhase::Resting { .. });
         let resting: Vec<usize> = (0..self.model.pairs.len()).filter(rests).collect();
-        self.accelerate(NOW, y, scratch);
-        let (without, terms) = (self.floors(scratch), self.terms(y));
-        let groups = groups(&self.model, &resting).into_iter();
-        let pressing = groups.flat_map(|group| self.pressing(&group, &without, &terms));
-        self.block = Block::new(&self.model, pressing.collect());
-        let closings = self.closings(&self.block, &without, &terms);
+        self.stick_or_slide(&resting, y, scratch);
+        let closings = self.press(&resting, y, scratch);
         for &pair in &resting {
             let [closing, rounding] = closings[pair];
             let presses = self.block.pairs.contains(&pair);
@@ -168,6 +184,7 @@ impl Equations {
                 self.phases.pairs[pair].contact = ContactPhase::Resting { presses: true, rising };
             }
         }
+        self.rise_or_fall(y, scratch);
     }
 
     /// Finds the pressing pairs of a group at rest, from absolute accelerations without them and the size of their terms.
@@ -208,21 +225,26 @@ impl Equations {
 
     /// Rate of the force of a pair at rest \[N/s\], and its rounding. `slope` is the derivative of the unknowns.
     fn resting_force_rate(&self, pair: usize, y: &[f64], slope: &[f64]) -> [f64; 2] {
+        let sizes = self.block.forces(f64::abs, &self.terms(y));
+        let sizes = self.block.pairs.iter().zip(sizes);
+        let size = sizes.filter(|(of, _)| **of == pair).map(|(_, size)| size);
+        self.rate_of(self.model.impulse(pair), size.sum(), y, slope)
+    }
+
+    /// Rate \[N/s\] of a force whose impulse is an unknown and whose terms have a size, and its rounding.
+    pub(super) fn rate_of(&self, impulse: usize, size: f64, y: &[f64], slope: &[f64]) -> [f64; 2] {
         let force = |by: f64| {
             let near = y.iter().zip(slope).map(|(unknown, slope)| unknown + by * slope);
             let mut change = vec![0.0; y.len()];
             let near = near.collect::<Vec<_>>();
             self.slope(NOW, &near, &mut change);
-            change[self.model.impulse(pair)]
+            change[impulse]
         };
         let touches = |phase: &ContactPhase| phase.touches() && !matches!(phase, ContactPhase::Resting { .. });
         let bent = self.phases.pairs.iter().any(|phase| touches(&phase.contact));
         let Probe { time, rounding } = if bent { Probe::BENT } else { Probe::STRAIGHT };
         let rate = (force(time) - force(-time)) / (2.0 * time);
-        let sizes = self.block.forces(f64::abs, &self.terms(y));
-        let sizes = self.block.pairs.iter().zip(sizes);
-        let size = sizes.filter(|(of, _)| **of == pair).map(|(_, size)| size);
-        [rate, rounding * size.sum::<f64>()]
+        [rate, rounding * size]
     }
 
     /// Negative once the force of a pair at rest has passed a maximum or minimum.

@@ -142,8 +142,9 @@ impl Runner {
     }
 
     /// The response, after the last segment.
-    pub(super) fn finish(self, time: f64) -> Response {
-        self.record.finish(&self.motion, &self.state, time)
+    pub(super) fn finish(mut self, time: f64) -> Response {
+        self.motion.slope(NOW, &self.state.high, &mut self.scratch);
+        self.record.finish(&self.motion, &self.state, &self.scratch, time)
     }
 
     fn now(&self) -> f64 {
@@ -340,6 +341,8 @@ impl Runner {
                     Law::Impulsive { .. } => collides = true,
                     Law::Compliant(_) => self.touch(pair, time),
                 },
+                // It is decided next whether it sticks.
+                Event::Turn(floor) if self.motion.model.structures[floor].friction.is_some() => self.stop(floor),
                 Event::Turn(_)
                 | Event::DriftTurn(_)
                 | Event::Yield(_)
@@ -351,11 +354,27 @@ impl Runner {
                 | Event::Clamp(_)
                 | Event::Grip(_)
                 | Event::Fade(_)
+                | Event::Slip(_)
+                | Event::FrictionPeak(_)
                 | Event::Stir(_)
                 | Event::Link(..) => {}
             }
         }
         if collides { self.collide(time) } else { self.rest(time) }
+    }
+
+    /// A floor with friction comes to a standstill, without rounding in its own velocity and in the rates of its pairs.
+    fn stop(&mut self, floor: usize) {
+        let Self { motion, state, .. } = self;
+        state.set(velocity(floor), 0.0);
+        for (pair, phase) in motion.model.pairs.iter().zip(&motion.phases.pairs) {
+            let rests = matches!(phase.contact, ContactPhase::Resting { .. });
+            if !rests && pair.ends.part(floor) != 0.0 {
+                let ahead = pair.ends.ahead(|floor| state.high[velocity(floor)]);
+                let rate = ahead + motion.segment.faster(pair.ends.grounds(), state.high[TIME]);
+                state.set(pair.deformation + 1, rate);
+            }
+        }
     }
 
     /// A pair begins to press.

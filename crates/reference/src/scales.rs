@@ -91,6 +91,10 @@ impl Scales {
             *largest = largest.max(y[smooth.unknown].abs());
             self.sizes[smooth.unknown] = largest.max(moved);
         }
+        // What holds a floor follows from the other unknowns.
+        for (_, friction) in model.frictions() {
+            self.sizes[friction.unknown] = f64::INFINITY;
+        }
         for link in &model.links {
             if let Some(force) = link.unknown() {
                 let moved = link.ends.size(|floor| self.sizes[velocity(floor)]) * self.longest_step;

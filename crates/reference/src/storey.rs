@@ -38,10 +38,23 @@ pub(super) struct Structure {
     /// Damping coefficient of the floor against the ground, in addition to that of a storey on the ground \[N·s/m\].
     pub ground_damping: f64,
     pub columns: StoreyColumns,
+    /// Friction beside the columns of a storey on the ground.
+    pub friction: Option<Friction>,
     /// Arrival of the ground motion \[s\].
     pub arrival: f64,
     pub initial_displacement: f64,
     pub initial_velocity: f64,
+}
+
+/// Coulomb friction below a floor.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Friction {
+    /// Largest force \[N\].
+    pub limit: f64,
+    /// Inverse of the floor's mass \[1/kg\]; that of its structure is 0 while the floor sticks.
+    pub inverse_mass: f64,
+    /// Index of the impulse of the friction in the vector of unknowns.
+    pub unknown: usize,
 }
 
 /// Columns of a storey.
@@ -82,6 +95,11 @@ impl StoreyColumns {
             yield_force,
             knee,
         } = loop_of;
+        // Friction is apart from the columns, which never yield.
+        let [hardening, yield_force] = match knee {
+            Knee::Rigid => [0.0, f64::INFINITY],
+            Knee::Smooth(_) | Knee::Sharp => [hardening, yield_force],
+        };
         let smooth = match knee {
             // The model numbers the unknown.
             Knee::Smooth(shape) if yield_force.is_finite() => Some(Smooth {

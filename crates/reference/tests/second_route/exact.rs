@@ -39,7 +39,7 @@ impl Met {
 }
 
 /// The exact method on a row under shaking sampled every 0.1 s.
-fn exact<Column: Hysteretic>(row: &Row<Column>, duration: f64) -> (Peaks, TransferredMomentum, Collisions) {
+pub(super) fn exact<Column: Hysteretic>(row: &Row<Column>, duration: f64) -> (Peaks, TransferredMomentum, Collisions) {
     let samples = ground();
     let excitation = Excitation::new(0.1, &samples).expect("finite samples");
     let n = row.nodes().len();

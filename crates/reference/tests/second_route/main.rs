@@ -2,6 +2,7 @@
 
 mod closed_forms;
 mod exact;
+mod friction;
 mod impacts;
 mod laws;
 mod limits;

@@ -92,6 +92,14 @@ impl Member {
         }
     }
 
+    /// Stops a floor that only the rounding of an impact of velocities up to `fastest` moves: it would slide to a side that rounding chose, and
+    /// pressed against a neighbour push with its own friction.
+    pub(super) fn come_to_rest(&mut self, fastest: f64) {
+        if self.stick.is_some() && self.state.velocity.abs() <= OF_COEFFICIENTS * fastest {
+            self.state.velocity = 0.0;
+        }
+    }
+
     /// Continues after an impact. A floor that did not move in it sticks or slides as before: it may be pressed against a neighbour.
     pub(super) fn collide(&mut self, jumped: bool) {
         if jumped {
@@ -184,6 +192,44 @@ pub(super) fn press(contact: &PairState, members: &mut [Member], n: usize) {
 }
 
 impl<R: Recorder> ExactRun<'_, R> {
+    /// Lets floors of a pair stick that slid against each other and no longer press: their friction would push the next neighbour.
+    pub(super) fn lean_no_more(&mut self, pair: usize) {
+        for node in self.touching.contacts[pair].floors() {
+            let member = &mut self.moving.members[node];
+            if member.stick.is_some() && member.state.velocity == 0.0 {
+                member.go_on(Branch::Elastic);
+            }
+        }
+    }
+
+    /// Stops floors that an impact leaves against others that stand still, without the rounding of the flight before.
+    pub(super) fn stop_against_still(&mut self, hits: &[Hit]) {
+        if self.moving.members.iter().all(|member| member.stick.is_none()) {
+            return;
+        }
+        let (members, contacts) = (&mut self.moving.members, &self.touching.contacts);
+        let mut stopped = Vec::new();
+        let mut grown = true;
+        while grown {
+            grown = false;
+            for contact in hits.iter().flat_map(|hit| &hit.pairs).map(|pair| &contacts[*pair]) {
+                let (Point::Floor(left), Point::Floor(right)) = (contact.relation.left, contact.relation.right) else {
+                    continue;
+                };
+                let still = [left, right].map(|node| members[node].state.velocity == 0.0 || stopped.contains(&node));
+                if contact.rate == 0.0 && !contact.opens() && still[0] != still[1] {
+                    stopped.push(if still[0] { right } else { left });
+                    grown = true;
+                }
+            }
+        }
+        for node in stopped {
+            if members[node].stick.is_some() {
+                members[node].state.velocity = 0.0;
+            }
+        }
+    }
+
     /// Lets the floors of impacts move with their own masses.
     pub(super) fn release(&mut self, hits: &[Hit]) {
         for node in hits.iter().flat_map(|hit| &hit.nodes) {

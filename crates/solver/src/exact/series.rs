@@ -10,6 +10,7 @@ use crate::exact::friction;
 use crate::exact::groups::{Block, Group, Lighter, Side};
 use crate::exact::links::LinkState;
 use crate::exact::member::Member;
+use crate::exact::rounding::OF_COEFFICIENTS;
 use crate::exact::storey::{self, own_force};
 use crate::exact::tie::Tie;
 use crate::model::incidence::Incidence;
@@ -124,11 +125,18 @@ fn hold(tie: &Tie, members: &mut [Member], contacts: &mut [PairState], p: usize,
     };
     let mut forces: Vec<_> = tie.pairs.iter().map(closing).collect();
     tie.solve(&mut forces);
+    let floors = tie.pairs.iter().flat_map(|pair| contacts[*pair].floors());
+    let slides = floors.into_iter().any(|floor| members[floor].stick.is_some());
     for (pair, force) in tie.pairs.iter().zip(forces) {
         contacts[*pair].force[n] = force;
         for (floor, part) in contacts[*pair].relation.pushes() {
             let member = &mut members[floor];
-            member.acceleration[n] += member.inverse_mass * (part * force);
+            let change = member.inverse_mass * (part * force);
+            member.acceleration[n] += change;
+            // Floors that stand still under friction and walls would yield, or turn, by rounding at once, again and again.
+            if slides && member.acceleration[n].abs() <= OF_COEFFICIENTS * change.abs() {
+                member.acceleration[n] = 0.0;
+            }
         }
     }
     for pair in &tie.pairs {

@@ -49,7 +49,9 @@ impl Moving<'_> {
     /// Ends yielding of columns below and above floors that were hit, if their drift has turned.
     fn unload(&mut self, hits: &[Hit]) {
         for hit in hits {
+            let fastest = hit.before.iter().fold(0.0, |fastest: f64, velocity| fastest.max(velocity.abs()));
             for (&node, before) in hit.nodes.iter().zip(&hit.before) {
+                self.members[node].come_to_rest(fastest);
                 let jumped = (self.members[node].state.velocity - before).abs() > 0.0;
                 self.members[node].collide(jumped);
                 if jumped {
@@ -126,6 +128,7 @@ impl<R: Recorder> ExactRun<'_, R> {
             for hit in &mut hits {
                 self.give_impulses(hit, time)?;
             }
+            self.stop_against_still(&hits);
             self.moving.unload(&hits);
             match &hits[..] {
                 [hit] if !self.touching.is_chain() => self.rest_or_part_any(hit, time)?,

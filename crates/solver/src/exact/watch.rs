@@ -254,6 +254,7 @@ impl<R: Recorder> ExactRun<'_, R> {
                 let contact = &mut self.touching.contacts[pair];
                 contact.join = Join::Apart;
                 contact.faded = true;
+                self.lean_no_more(pair);
             }
             Event::Reversal(pair) => {
                 let contact = &mut self.touching.contacts[pair];

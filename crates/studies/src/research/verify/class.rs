@@ -22,6 +22,8 @@ listed! {
         Sharp = ("yielding columns", |scene| all_columns(scene).any(|one| one.yield_force_n.is_some() && one.bouc_wen.is_none())),
         /// Some columns yield smoothly.
         Smooth = ("Bouc–Wen columns", |scene| all_columns(scene).any(|one| one.bouc_wen.is_some())),
+        /// Some isolators stick and slide under friction.
+        Sliding = ("friction that sticks", |scene| all_columns(scene).any(|one| one.friction_n.is_some())),
         /// A wall is at one end.
         OneWall = ("a wall at one end", |scene| n_walls(scene) == 1),
         /// Walls are at both ends.

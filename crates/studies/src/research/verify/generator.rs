@@ -16,6 +16,9 @@ use pounding_scene::{
 };
 use pounding_scene::{Scene, Sdof, Source, Storey, Structure};
 
+/// Acceleration by which weights follow from masses \[m/s²\].
+const GRAVITY: f64 = 9.81;
+
 /// Largest number of storeys of a building.
 const MOST_STOREYS: f64 = 12.0;
 
@@ -46,22 +49,93 @@ pub(super) fn scene(seed: u64, index: usize) -> Scene {
     };
     let scene = match index % 3 {
         0 if index >= FIRST_WITH_MORE => beside_columns(seed, index, scene),
-        1 if index >= FIRST_WITH_MORE => linked(seed, index, scene),
+        1 if index >= FIRST_WITH_MORE => linked(&mut Random::new(!seed, index), scene),
+        2 if index >= FIRST_WITH_MORE => sliding(seed, index, scene),
         _ => scene,
     };
     let all = ["record", "duration_s", "arrivals_s", "structures", "contacts", "links"];
     rewritten(&scene, &all, &mut in_few_digits)
 }
 
-/// From this number on a third of the scenes has floors beside columns, and another third has links; earlier scenes are known by their
-/// numbers.
+/// From this number on a third of the scenes has floors beside columns, another third has links, and the last one has isolators that stick
+/// under friction; earlier scenes are known by their numbers.
 const FIRST_WITH_MORE: usize = 1000;
 
 /// The scene with links.
-fn linked(seed: u64, index: usize, scene: Scene) -> Scene {
-    let mut random = Random::new(!seed, index);
-    let links = links::all(&mut random, &scene.structures);
+fn linked(random: &mut Random, scene: Scene) -> Scene {
+    let links = links::all(random, &scene.structures);
     Scene { links, ..scene }
+}
+
+/// The scene with friction pendulums that stick under at least one building, in some scenes with links.
+fn sliding(seed: u64, index: usize, mut scene: Scene) -> Scene {
+    let mut random = Random::new(!seed, index);
+    let structures = &mut scene.structures;
+    let moves = |structure: &Structure| !matches!(structure, Structure::Wall);
+    let first = structures.iter().position(moves);
+    for (index, structure) in structures.iter_mut().enumerate() {
+        let slides = random.chance(0.5);
+        if let Some(building) = upper(structure)
+            && (slides || Some(index) == first)
+        {
+            *structure = Structure::Building(isolated(&mut random, building));
+        }
+    }
+    if random.chance(0.3) { linked(&mut random, scene) } else { scene }
+}
+
+/// A structure as a building; `None` for a wall.
+fn upper(structure: &Structure) -> Option<Building> {
+    match structure {
+        Structure::Building(building) => Some(building.clone()),
+        Structure::Sdof(sdof) => Some(Building {
+            name: sdof.name.clone(),
+            damping: sdof.damping,
+            storeys: vec![Storey {
+                mass_kg: sdof.mass_kg,
+                height_m: None,
+                capacities: Capacities::default(),
+                columns: sdof.columns(),
+                initial_displacement_m: sdof.initial_displacement_m,
+                initial_velocity_m_per_s: sdof.initial_velocity_m_per_s,
+            }],
+        }),
+        Structure::Wall => None,
+    }
+}
+
+/// The building on a base slab on friction pendulums.
+fn isolated(random: &mut Random, mut building: Building) -> Building {
+    let mass = building.storeys[0].mass_kg * random.within(0.3, 1.5);
+    let weight = GRAVITY * building.storeys.iter().map(|one| one.mass_kg).sum::<f64>() + GRAVITY * mass;
+    let (radius, friction) = (random.within(0.8, 6.0), random.log_within(0.01, 0.2));
+    let stiffness = weight / radius;
+    let damping = if random.chance(0.3) {
+        random.within(0.0, 0.2) * (stiffness * weight / GRAVITY).sqrt()
+    } else {
+        0.0
+    };
+    // Masses are not damped: damping leaves isolators out.
+    if let Damping::Rayleigh { alpha_per_s, .. } = &mut building.damping {
+        *alpha_per_s = 0.0;
+    }
+    let base = Storey {
+        mass_kg: mass,
+        height_m: None,
+        capacities: Capacities {
+            isolation_layer: Some(true),
+            isolator_damping_n_s_per_m: Some(damping),
+            ..Capacities::default()
+        },
+        columns: Columns {
+            friction_n: Some(friction * weight),
+            ..Columns::elastic(stiffness)
+        },
+        initial_displacement_m: 0.0,
+        initial_velocity_m_per_s: 0.0,
+    };
+    building.storeys.insert(0, base);
+    building
 }
 
 /// The scene with storeys of any height, so that floors face columns.
