@@ -61,7 +61,10 @@ fn limit_ductilities() {
     let record = el_centro();
     let elastic = response_spectrum(&record, &[0.5], 0.05).expect("a spectrum")[0];
     let one = at(&record, 0.5, [0.05, 1.0]);
-    assert!((one.yield_acceleration / elastic.pseudo_acceleration - 1.0).abs() < 1e-15, "{one:?}");
+    assert!(
+        (one.yield_acceleration / elastic.pseudo_acceleration - 1.0).abs() < 1e-15,
+        "{one:?}"
+    );
     assert!((one.strength_reduction - 1.0).abs() < 1e-15, "{one:?}");
     let found = [1.0, 1.5, 3.0, 7.0].map(|ductility| at(&record, 0.5, [0.05, ductility]));
     assert!(
