@@ -118,6 +118,11 @@ impl<'a> SideBySide<'a> {
         Self { closings, ..self }
     }
 
+    /// Whether lanes take a link: a spring, which may yield, a dashpot, or both.
+    pub fn takes_link(link: &Link) -> bool {
+        links::spring(link).is_some()
+    }
+
     /// Whether two rows have equal floors and pairs on the same floors, with laws of equal kinds. The ground motion must arrive everywhere at
     /// once in the first row, no damping may follow the tangent stiffness, and links on the same floors must be springs and dashpots.
     pub fn are_alike<Column: RestoringForce>(row: &Row<Column>, other: &Row<Column>) -> bool {
@@ -126,7 +131,7 @@ impl<'a> SideBySide<'a> {
         let mut pairs = row.pairs().iter().zip(other.pairs());
         let mut nodes = row.nodes().iter().zip(other.nodes());
         let mut links = row.links().iter().zip(other.links());
-        let are_springs = |link: &Link, other: &Link| links::spring(link).is_some() && links::spring(other).is_some();
+        let are_springs = |link: &Link, other: &Link| Self::takes_link(link) && Self::takes_link(other);
         at_once
             && !row.has_tangent_damping()
             && !other.has_tangent_damping()

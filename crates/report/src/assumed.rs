@@ -65,7 +65,8 @@ impl Assumed {
             None => "firm under all bases, which move alike",
         };
         let ground = Self::unless_default("Ground", ground, scene.arrivals_s.is_none());
-        let all = first.into_iter().chain([ground]).chain(buildings).chain(contacts);
+        let gravity = floors.says_gravity().map(|gravity| Self::new("Gravity", gravity, SCENE));
+        let all = first.into_iter().chain([ground]).chain(gravity).chain(buildings).chain(contacts);
         Table::of(Self::gathered(all))
             .shown("Assumed", |one: &Self| {
                 let of = (!one.of.is_empty()).then(|| one.of.clone());
@@ -86,6 +87,7 @@ fn of_structure(structure: &Structure) -> Vec<Assumed> {
     let ratio = format!("{} % of critical", two_digits(100.0 * damping));
     let damping = match damping_given(structure) {
         Some(modes) if modes.starts_with("in modes") => format!("{ratio} {modes}"),
+        Some(above) if above.ends_with(ABOVE) => above,
         Some(given) => format!("{ratio} in the first mode: {given}"),
         None => ratio,
     };
@@ -164,15 +166,19 @@ pub(crate) fn duration(prepared: &Simulation) -> Assumed {
     Assumed::new("Duration", format!("{} s", digits(duration)), source)
 }
 
+/// Where the ratio of an isolated building holds.
+const ABOVE: &str = "in the first mode of the building above its isolators";
+
 /// How the damping was given, if not as a ratio of one mode.
 pub(crate) fn damping_given(structure: &Structure) -> Option<String> {
-    let (damping, storeys) = match structure {
-        Structure::Sdof(sdof) => (sdof.damping, 1),
-        Structure::Building(building) => (building.damping, building.storeys.len()),
+    let (damping, storeys, isolators) = match structure {
+        Structure::Sdof(sdof) => (sdof.damping, 1, false),
+        Structure::Building(building) => (building.damping, building.storeys.len(), building.is_damped_above_isolators()),
         Structure::Wall => return None,
     };
     let two = |[one, other]: [f64; 2]| format!("{} and {}", digits(one), digits(other));
     let given = match damping {
+        Damping::Ratio(ratio) if isolators => Some(format!("{} % of critical {ABOVE}", two_digits(100.0 * ratio))),
         Damping::Ratio(_) => (storeys > 1).then(|| "in modes 1 and 2".into()),
         Damping::Rayleigh { alpha_per_s, beta_s, .. } => Some(format!("α = {} /s, β = {} s", digits(alpha_per_s), digits(beta_s))),
         Damping::TwoFrequencies {

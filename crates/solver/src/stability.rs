@@ -2,7 +2,7 @@
 
 use nalgebra::DMatrix;
 
-use crate::{AnyRow, Hysteretic, Integrator, Mode, Newmark, OnRow, Oscillation, Rk4, Row};
+use crate::{AnyRow, Hysteretic, Integrator, LinkLaw, Mode, Newmark, OnRow, Oscillation, Rk4, Row};
 
 impl Integrator {
     /// Largest stable time step \[s\] of a structure of one storey that moves alone; `None` for a method without a limit.
@@ -40,14 +40,17 @@ impl Integrator {
     /// step is below this limit, if the row has no links, and for other methods.
     ///
     /// Let K be the stiffness of columns and links, and C the dashpots of links. Steps h are stable as long as 4M − h²K − 4hC is positive
-    /// definite. Dashpots of storeys are part of the equations and set no limit.
+    /// definite. Dashpots of storeys are part of the equations and set no limit. A restrainer becomes taut and slack within steps, and gains
+    /// energy each time where the step is long: rows with one have half of the limit.
     pub fn limit_of_links(&self, row: &AnyRow, time_step: f64) -> Option<f64> {
         if row.links().is_empty() || !matches!(self, Self::CentralDifference(_)) {
             return None;
         }
         let [stiffness, damping] = row.on(Scaled);
         let n = stiffness.nrows();
+        let gains = row.links().iter().any(|link| matches!(link.law, LinkLaw::Restrainer(_)));
         let is_stable = |step: f64| {
+            let step = if gains { 2.0 * step } else { step };
             let rest = DMatrix::from_diagonal_element(n, n, 4.0) - &stiffness * (step * step) - &damping * (4.0 * step);
             rest.cholesky().is_some()
         };

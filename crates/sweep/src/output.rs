@@ -35,6 +35,7 @@ struct Named {
     /// Index of its structure.
     structure: usize,
     is_wall: bool,
+    is_on_isolators: bool,
 }
 
 impl RowShape {
@@ -43,6 +44,7 @@ impl RowShape {
             name: floor.name.clone(),
             structure: floor.structure,
             is_wall: floor.is_wall(),
+            is_on_isolators: floor.is_isolation_layer(),
         });
         Self {
             structures: floors.structures().to_vec(),
@@ -123,8 +125,21 @@ impl RowShape {
             let own = (0..pairs.len()).filter(own).collect();
             (format!("{name}{ANY_LEVEL}"), own)
         });
+        let mut buildings = columns(buildings, &asked.buildings, true);
+        for of_storeys in buildings.iter_mut().filter(|one| is_of_storeys(one.quantity)) {
+            // Isolators move by parts of their height that no storey bears.
+            let storeys = of_storeys
+                .places
+                .iter()
+                .copied()
+                .filter(|place| !self.floors[*place].is_on_isolators);
+            let storeys: Vec<usize> = storeys.collect();
+            if !storeys.is_empty() {
+                of_storeys.places = storeys;
+            }
+        }
         [
-            columns(buildings, &asked.buildings, true),
+            buildings,
             columns(neighbours, &asked.neighbours, true),
             columns(each(&floors), &asked.structures, false),
             columns(each(&pairs), &asked.pairs, false),
@@ -156,6 +171,13 @@ const COLLAPSE: FloorQuantity = FloorQuantity::CollapseS;
 /// Name of its column, which belongs to the whole row.
 pub(super) fn collapse_column() -> &'static str {
     COLLAPSE.about().name
+}
+
+/// Whether a quantity compares a storey with what storeys bear, which isolators do not enter.
+fn is_of_storeys(quantity: Quantity) -> bool {
+    [FloorQuantity::DriftRatio, FloorQuantity::Ductility]
+        .into_iter()
+        .any(|one| quantity == one.into())
 }
 
 /// All quantities of each of these places; empty without places.

@@ -2,7 +2,7 @@
 
 use pounding_lanes::{ExactSideBySide, Excitations, RowsOf, SceneSums, SideBySide};
 use pounding_scene::Simulation;
-use pounding_solver::{AnyRow, CentralDifference, Clock, Elastic, Exact, Excitation, Integrator, Link, LinkLaw, Pair, Row};
+use pounding_solver::{AnyRow, CentralDifference, Clock, Elastic, Exact, Excitation, Integrator, Pair, Row};
 
 /// The rows of scenes with a common type of columns; `None` if types differ.
 macro_rules! rows {
@@ -65,15 +65,14 @@ pub(crate) fn alone_because(scene: &Simulation, closings: bool) -> Option<&'stat
     };
     let travels = scene.travel().is_some();
     let smooth = matches!(scene.row(), AnyRow::Mixed(_));
-    let is_spring = |link: &Link| matches!(link.law, LinkLaw::Spring(_));
-    if !scene.row().links().iter().all(is_spring) {
-        return Some("cables and dampers with a brace are those of one scene; springs and dashpots go side by side");
+    if !scene.row().links().iter().all(SideBySide::takes_link) {
+        return Some("restrainers, Maxwell elements and dampers with a brace are those of one scene; springs and dashpots go side by side");
     }
     if matches!(scene.row(), AnyRow::Bilinear(row) if row.has_tangent_damping()) {
         return Some("damping on the tangent stiffness is that of one scene");
     }
     let of_row = || match (smooth, travels, closings && !scene.row().is_chain()) {
-        (true, ..) => Some("Bouc–Wen columns are those of one scene"),
+        (true, ..) => Some("Bouc–Wen columns, and isolators that stick, are those of one scene"),
         (false, true, _) => Some("a motion that arrives at one structure after the other is that of one scene"),
         (false, false, true) => {
             Some("least openings of floors beside columns, or of several pairs on one side of a floor, are those of one scene")

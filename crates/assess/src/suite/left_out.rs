@@ -360,9 +360,14 @@ impl Suite {
         taken
     }
 
-    /// Names the motions without a known direction.
+    /// Names the motions without a known direction, unless their names tell a pair of angles from north.
     fn untold(&self) -> Vec<&str> {
-        let untold = self.motions.iter().filter(|one| one.direction.is_none());
+        let pairs = self.pairs().into_iter().filter(|pair| pair.angles.from_north);
+        let told: Vec<&str> = pairs.flat_map(|pair| pair.motions.map(|one| one.name.as_str())).collect();
+        let untold = self
+            .motions
+            .iter()
+            .filter(|one| one.direction.is_none() && !told.contains(&one.name.as_str()));
         untold.map(|one| one.name.as_str()).collect()
     }
 }

@@ -251,6 +251,7 @@ fn model_lines(plan: &Plan<'_>) -> Vec<String> {
     let both = plan.expected.iter().any(|one| one.reversed.is_some());
     let directions = if both { "in neither direction" } else { "in this direction" };
     lines.extend(unneeded.map(|what| format!("needed {directions}: {what}")));
+    lines.extend(floors.says_gravity().map(|gravity| format!("gravity: {gravity};")));
     lines.extend(link_lines(prepared));
     lines.extend(travel_line(prepared));
     lines

@@ -131,3 +131,23 @@ fn issue_what_no_frame_bears_and_what_is_assumed_of_frames_is_said() {
         assert!(!said.contains("ductile construction"), "{said}");
     }
 }
+
+/// A scene with gravity could not be told from one without; the damping ratio of isolated buildings was said to hold in two modes.
+#[test]
+fn issue_check_tells_gravity_and_the_damping_above_isolators() {
+    let gravity = TWO.replacen("name = ", "p_delta = \"from_masses\"\nname = ", 1);
+    let gravity = gravity.replace("damping.ratio = 0.05", "damping.ratio = 0.05, height_m = 3");
+    let work = workplace("check_tells_gravity", &gravity, false);
+    let said = flat(&pounding(&work, &["check", "scene.toml"]));
+    assert!(said.contains("gravity: P-Δ on 2 storeys, up to "), "{said}");
+    let moat = concat!(
+        env!("CARGO_MANIFEST_DIR"),
+        "/../../studies/examples/isolated-building-and-moat.toml"
+    );
+    let said = flat(&pounding(&work, &["check", moat]));
+    assert!(
+        said.contains(" % of critical in the first mode of the building above its isolators"),
+        "{said}"
+    );
+    assert!(!said.contains("gravity:"), "{said}");
+}

@@ -239,14 +239,18 @@ impl<'a> RiskReport<'a> {
             |gap| format!("gap_{}_required_m", gap + 1),
             |run, gap| Cell::exact(run.found.as_ref().ok().and_then(|one| one.required.get(gap).copied())),
         );
+        let kinds: Vec<_> = self.states.iter().map(|(state, _)| std::mem::discriminant(state)).collect();
         self.states
             .iter()
-            .fold(table, |table, (state, _)| {
+            .enumerate()
+            .fold(table, |table, (index, (state, _))| {
                 let demand = move |run: &&StripeRun| run.found.as_ref().ok().and_then(|one| state.demand(one));
                 let reached = move |run: &&StripeRun| run.found.as_ref().ok().and_then(|one| state.is_reached(one, &self.runs.gaps));
                 let table = table.column(state.name(), reached);
                 match (state, Demand::of(*state)) {
                     (State::Touch(_), _) | (_, None) => table,
+                    // Several limits of one number.
+                    _ if kinds[..index].contains(&kinds[index]) => table,
                     (_, Some(words)) => table.column(words.column, move |run| Cell::exact(demand(run))),
                 }
             })

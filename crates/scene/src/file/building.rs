@@ -475,6 +475,11 @@ impl Building {
         Some(self.isolated_period().map_or(first, |period| period.max(first)))
     }
 
+    /// Whether its damping holds above isolators, which have a viscosity of their own.
+    pub fn is_damped_above_isolators(&self) -> bool {
+        self.isolator_damping().is_some()
+    }
+
     /// Whether its lowest storey is told to stand for isolators, or looks like them and is not told to be none.
     pub(crate) fn may_be_isolated(&self) -> bool {
         let told = self.storeys.first().and_then(|one| one.capacities.isolation_layer);

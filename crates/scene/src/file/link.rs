@@ -78,7 +78,7 @@ pub enum Law {
     },
     /// A linear viscous damper.
     Dashpot {
-        /// Coefficient \[N·s/m\], > 0.
+        /// Coefficient \[N·s/m\], ≥ 0.
         damping_n_s_per_m: f64,
     },
     /// A linear viscous damper with its brace: spring and dashpot in series.

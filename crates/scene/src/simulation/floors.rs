@@ -6,7 +6,7 @@ mod levels;
 mod unwatched;
 
 use pounding_solver::{Levels, Point};
-use pounding_text::Refused;
+use pounding_text::{Refused, percent};
 
 pub use beside::ColumnBeside;
 use levels::elevations;
@@ -260,6 +260,20 @@ impl Floors {
         self.all
             .iter()
             .any(|one| one.made_of.is_some_and(|made| made.gravity_n_per_m > 0.0))
+    }
+
+    /// Says on how many storeys gravity acts, and the largest part of their stiffness that it takes; `None` if it acts on none.
+    pub fn says_gravity(&self) -> Option<String> {
+        let made = self.all.iter().filter_map(|one| one.made_of);
+        let parts = made.map(|made| made.gravity_n_per_m / made.columns.stiffness_n_per_m);
+        let parts: Vec<f64> = parts.filter(|part| *part > 0.0).collect();
+        let largest = parts.iter().copied().reduce(f64::max)?;
+        let s = if parts.len() == 1 { "" } else { "s" };
+        Some(format!(
+            "P-Δ on {} storey{s}, up to {} of the stiffness of the columns",
+            parts.len(),
+            percent(largest)
+        ))
     }
 
     /// Indices of every floor, structure by structure from the left, each from the ground up.

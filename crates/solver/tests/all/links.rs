@@ -511,6 +511,52 @@ fn limit_of_the_time_step_with_links() {
     }
 }
 
+/// At 0.97 of the limit of a spring, a restrainer that became taut again and again made the motion three times as large.
+#[test]
+fn extreme_restrainers_gain_no_energy_below_their_limit() {
+    for (stiffness, slack) in [(5e8, 0.0), (5e7, 0.02), (2e9, 0.005)] {
+        let law = LinkLaw::Restrainer(Restrainer {
+            stiffness,
+            yield_force: f64::INFINITY,
+            slack,
+        });
+        let storey = |mass: f64, stiffness: f64| Node::structure(mass, 0.0, Elastic { stiffness });
+        let on = |below: usize| Floor {
+            below,
+            ground_damping: 0.0,
+        };
+        let nodes = vec![
+            storey(3e5, 1.2e7),
+            storey(2e5, 4e7),
+            storey(3e5, 1.2e7).on_floor(on(0)),
+            storey(2e5, 4e7).on_floor(on(1)),
+        ];
+        let row = Row::new(nodes, vec![]).and_then(|row| row.linked(vec![between(2.into(), 3.into(), law)]));
+        let row = row.expect("a row");
+        let limit = CENTRAL.limit_of_links(&AnyRow::Elastic(row.clone()), 1.0).expect("a limit");
+        let motion = ground();
+        let excitation = Excitation::new(0.01, &motion).expect("finite");
+        let run = |method: Integrator, time_step: f64| {
+            let mut recorders = (Ledger::new(&row, excitation), Peaks::new(4));
+            method
+                .watch(&row, excitation, clock(time_step, 12.0), &mut recorders)
+                .expect("it runs");
+            let (ledger, peaks) = recorders;
+            let peak = [0, 1, 2, 3].map(|node| peaks.of(node).displacement.value.abs());
+            (ledger.of_link(0).energy, peak.into_iter().fold(0.0, f64::max))
+        };
+        let (_, exact) = run(EXACT, 0.01);
+        let (energy, found) = run(CENTRAL, 0.999 * limit);
+        assert!(
+            (0.8..1.1).contains(&(found / exact)),
+            "{stiffness}, {slack}: {found} m against {exact} m"
+        );
+        // A tenth of what the link can store at the peak.
+        let stored = 0.5 * stiffness * (0.1 * exact) * (0.1 * exact);
+        assert!(energy > -stored, "{stiffness}, {slack}: {energy} J");
+    }
+}
+
 #[test]
 fn extreme_bare_dampers_are_refused_by_central_differences() {
     let law = LinkLaw::Viscous(Viscous {

@@ -79,7 +79,7 @@ fn scenes() -> [(Option<&'static str>, Value); 19] {
             None,
             linked(json!({"spring": {"stiffness_n_per_m": 1e6, "yield_force_n": 1e4, "damping_n_s_per_m": 1e4}})),
         ),
-        (Some("cables"), linked(json!({"restrainer": {"stiffness_n_per_m": 1e6}}))),
+        (Some("restrainers"), linked(json!({"restrainer": {"stiffness_n_per_m": 1e6}}))),
         (None, slab),
     ]
 }

@@ -234,3 +234,27 @@ fn extreme_what_no_run_tells_is_refused() {
          force columns"
     );
 }
+
+/// Isolators of 0.6 m that moved 12 mm were a storey whose drift exceeds 1 %.
+#[test]
+fn issue_isolators_are_no_storey() {
+    let row = |isolation_layer: bool| {
+        scene(&json!({"structures": [
+            {"building": {"name": "left", "damping": {"ratio": 0.05}, "storeys": [
+                {"mass_kg": 1e5, "height_m": 0.6, "stiffness_n_per_m": 4e6, "isolation_layer": isolation_layer},
+                {"mass_kg": 1e5, "height_m": 3.0, "stiffness_n_per_m": 2e8, "repeat": 2},
+            ]}},
+            {"sdof": {"name": "right", "mass_kg": 2e5, "period_s": 0.4, "damping": {"ratio": 0.05}}},
+        ], "floors": "level", "contacts": [{"gap_m": 0.03, "levels": [1], "law": {"linear_spring": {"impact_stiffness_n_per_m": 1e8}}}]}))
+    };
+    let motions = scaled(suite("stripes-isolators"), IntensityMeasure::Pga);
+    let drifts = |row: &Scene| {
+        let found = run(row, &motions, &[State::Drift(1e-9)]).expect("runs");
+        let drift = |run: &pounding_risk::StripeRun| run.found.as_ref().ok().and_then(|one| one.drift).expect("a drift");
+        found.runs.iter().map(drift).collect::<Vec<f64>>()
+    };
+    let [isolated, storeys] = [true, false].map(|one| drifts(&row(one)));
+    for (isolated, storeys) in isolated.into_iter().zip(storeys) {
+        assert!(isolated > 0.0 && 5.0 * isolated < storeys, "{isolated} {storeys}");
+    }
+}

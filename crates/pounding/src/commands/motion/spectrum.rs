@@ -127,6 +127,12 @@ pub(super) fn run(args: &Arguments) -> Result<String, Refused> {
             .allowed_is("one")
             .help("give --pairs for the two horizontal components of a recording"));
     }
+    if args.file().is_dir() {
+        let found = Refused::at("FILE").found(format!("the folder {}", args.file().display()));
+        return Err(found
+            .allowed_is("a file")
+            .help("give --pairs for the two horizontal components of each recording"));
+    }
     if args.fourier {
         return further::fourier(args);
     }

@@ -42,7 +42,9 @@ pub(super) fn doubt(index: usize, building: &Building, doubts: &mut Doubts) {
             "a storey no more than 200 times softer than others",
         );
         doubt_the_start(place, one.initial_displacement_m, one.initial_velocity_m_per_s, doubts);
-        doubt_the_yielding(&place("yield_drift_ratio"), &one.columns, one.height_m, doubts);
+        if one.capacities.isolation_layer != Some(true) {
+            doubt_the_yielding(&place("yield_drift_ratio"), &one.columns, one.height_m, doubts);
+        }
     }
     doubt_the_period(index, building, doubts);
     ask_for_isolators(index, building, doubts);

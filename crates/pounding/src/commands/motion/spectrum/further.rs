@@ -44,14 +44,16 @@ pub(super) fn ductilities(args: &Arguments) -> Result<String, Refused> {
 }
 
 const STRENGTHS: &str = "fy/m: yield force over mass, of elastic-perfectly plastic columns; Sd: largest displacement relative to the ground; R: elastic \
-                         force over fy. Of several strengths with the ductility, the largest.";
+                         force over fy. Of several strengths with the ductility, the largest that a search by 2 % finds.";
 
 /// Fourier amplitudes at the frequencies 1/T of the periods.
 pub(super) fn fourier(args: &Arguments) -> Result<String, Refused> {
     let opened = args.declared.open(args.file())?;
     let highest = 0.5 / opened.record.time_step();
     let inside = |frequency: &f64| frequency.is_finite() && *frequency <= highest * (1.0 + 1e-12);
-    let frequencies = periods(args)?.into_iter().map(f64::recip).filter(inside);
+    let periods = periods(args)?;
+    let n_asked = periods.len();
+    let frequencies = periods.into_iter().map(f64::recip).filter(inside);
     let amplitudes: Vec<[f64; 2]> = frequencies.map(|one| [one, opened.record.fourier_amplitude(one)]).collect();
     if amplitudes.is_empty() {
         let found = Refused::at("--periods").found(format!("none of {} s or more", short(highest.recip())));
@@ -61,9 +63,13 @@ pub(super) fn fourier(args: &Arguments) -> Result<String, Refused> {
         ));
         return Err(found.help("ask for longer periods"));
     }
+    let left_out = match n_asked - amplitudes.len() {
+        0 => String::new(),
+        n => format!("; {n} of {n_asked} periods are shorter, and left out"),
+    };
     let table = fourier_table(amplitudes);
     let notes = format!(
-        "|∫ a exp(−2πi f t) dt| of the samples, which have no frequencies above {} Hz.",
+        "|∫ a exp(−2πi f t) dt| of the samples, which have no frequencies above {} Hz{left_out}.",
         short(highest)
     );
     let answer = Answer::new()
