@@ -55,7 +55,7 @@ quantities! {
         error_of: Some(FloorQuantity::PeakDriftM),
         ..QuantityEntry::new(&Unit::ONE, "Ductility", |run, floor| run.floor(floor).ductility(run.peaks(floor)?.drift().value))
     };
-    DriftRatio("drift_ratio", "Peak drift over storey height; only if the height is given.") = QuantityEntry {
+    DriftRatio("drift_ratio", "Peak drift over storey height; only if the height is given. Of a whole building without its isolators.") = QuantityEntry {
         error_of: Some(FloorQuantity::PeakDriftM),
         ..QuantityEntry::new(&Unit::PART, "Drift ratio", |run, floor| run.floor(floor).drift_ratio(run.peaks(floor)?.drift().value))
     };
