@@ -181,7 +181,8 @@ fn reference_pyrotd() {
             panic!("{row:?}");
         };
         let found = spectrum([&pair[0], &pair[1]], &[period], damping)[0];
-        close(found.rotd00, rotd00, 1e-6, "RotD00");
+        // The least value is at a kink, which directions 0.01° apart miss by up to half of that.
+        close(found.rotd00, rotd00, 0.5 * 0.01_f64.to_radians(), "RotD00");
         close(found.rotd50, rotd50, 1e-6, "RotD50");
         close(found.rotd100, rotd100, 1e-6, "RotD100");
     }
