@@ -298,7 +298,7 @@ impl Run {
     /// The files of a report by name. `both` puts both directions of shaking on its first page.
     fn files(&self, py: Python<'_>, both: bool) -> PyResult<std::collections::BTreeMap<String, Vec<u8>>> {
         wait(py, None, |watch| {
-            let report = self.report();
+            let report = self.report().with_between_samples();
             if !both {
                 return report.files();
             }
