@@ -173,7 +173,7 @@ const ABOVE: &str = "in the first mode of the building above its isolators";
 pub(crate) fn damping_given(structure: &Structure) -> Option<String> {
     let (damping, storeys, isolators) = match structure {
         Structure::Sdof(sdof) => (sdof.damping, 1, false),
-        Structure::Building(building) => (building.damping, building.storeys.len(), building.is_damped_above_isolators()),
+        Structure::Building(building) => (building.damping, building.storeys.len(), building.isolator_damping().is_some()),
         Structure::Wall => return None,
     };
     let two = |[one, other]: [f64; 2]| format!("{} and {}", digits(one), digits(other));

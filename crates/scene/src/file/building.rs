@@ -402,7 +402,7 @@ impl Building {
     }
 
     /// Viscous damping of the isolators \[N·s/m\]; `None` of a building without isolators' words, whose damping has no exception.
-    pub(crate) fn isolator_damping(&self) -> Option<f64> {
+    pub fn isolator_damping(&self) -> Option<f64> {
         self.storeys.first()?.capacities.isolator_damping_n_s_per_m
     }
 
@@ -473,11 +473,6 @@ impl Building {
     pub(crate) fn longest_period(&self) -> Option<f64> {
         let first = self.modes().first().map(Mode::period)?;
         Some(self.isolated_period().map_or(first, |period| period.max(first)))
-    }
-
-    /// Whether its damping holds above isolators, which have a viscosity of their own.
-    pub fn is_damped_above_isolators(&self) -> bool {
-        self.isolator_damping().is_some()
     }
 
     /// Whether its lowest storey is told to stand for isolators, or looks like them and is not told to be none.

@@ -3,6 +3,8 @@
 use pounding_motion::Record;
 use pounding_scene::{DuctilityValues, ductility_spectra, response_spectrum};
 
+use crate::spectrum::el_centro;
+
 fn at(record: &Record, period: f64, [damping, ductility]: [f64; 2]) -> DuctilityValues {
     ductility_spectra(record, &[period], [&[damping], &[ductility]], None, &|| ()).expect("spectra")[0].values[0]
 }
@@ -32,15 +34,6 @@ fn reference_a_lasting_step() {
             );
         }
     }
-}
-
-fn el_centro() -> Record {
-    let text = include_str!(concat!(
-        env!("CARGO_MANIFEST_DIR"),
-        "/../../studies/records/el-centro-1940-ns-chopra.csv"
-    ));
-    let record = pounding_motion::read(text.as_bytes()).expect("the record is readable");
-    record.into_record(9.81).expect("the record is finite")
 }
 
 /// A short push leaves an undamped structure with a velocity v, and its peak comes long after: R = √(2µ − 1).

@@ -5,14 +5,7 @@ use std::f64::consts::TAU;
 use pounding_motion::Record;
 use pounding_scene::{PairValues, pair_spectra, response_spectrum};
 
-fn el_centro() -> Record {
-    let text = include_str!(concat!(
-        env!("CARGO_MANIFEST_DIR"),
-        "/../../studies/records/el-centro-1940-ns-chopra.csv"
-    ));
-    let record = pounding_motion::read(text.as_bytes()).expect("the record is readable");
-    record.into_record(9.81).expect("the record is finite")
-}
+use crate::spectrum::el_centro;
 
 fn with(record: &Record, sample: impl FnMut((usize, &f64)) -> f64) -> Record {
     let samples = record.samples().iter().enumerate().map(sample).collect();

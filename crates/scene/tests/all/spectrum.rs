@@ -8,7 +8,8 @@ use pounding_scene::{SpectralValues, SpectrumIntensities, periods_between, respo
 /// One inch \[m\].
 const INCH: f64 = 0.0254;
 
-fn el_centro() -> Record {
+/// El Centro as Chopra prints it.
+pub(crate) fn el_centro() -> Record {
     let text = include_str!(concat!(
         env!("CARGO_MANIFEST_DIR"),
         "/../../studies/records/el-centro-1940-ns-chopra.csv"
