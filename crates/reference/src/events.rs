@@ -23,6 +23,8 @@ pub(super) enum Event {
     Yield(usize),
     /// The elastic part of the drift of columns that yield smoothly changes sign.
     Straight(usize),
+    /// The force of columns that yield smoothly under gravity has a maximum or minimum while they drift on.
+    Soften(usize),
     /// The net pounding force on a structure between two touching neighbours changes sign.
     Balance(usize),
     /// The deformation rate of a pair changes sign: largest or smallest distance or deformation.
@@ -79,7 +81,12 @@ pub(super) fn list(motion: &Equations, variable: Variable, events: &mut Vec<Even
                 events.push(Event::Yield(index));
             }
             Branch::Elastic { .. } | Branch::Yielding { .. } => {}
-            Branch::Smooth { .. } => events.push(Event::Straight(index)),
+            Branch::Smooth { .. } => {
+                events.push(Event::Straight(index));
+                if storey.columns.hardening < 0.0 {
+                    events.push(Event::Soften(index));
+                }
+            }
         }
         if phase.push.is_some() {
             events.push(Event::Balance(index));
@@ -148,6 +155,7 @@ impl Event {
                 let smooth = model.structures[structure].columns.smooth;
                 smooth.map_or(0.0, |smooth| side * y[smooth.unknown])
             }
+            Self::Soften(structure) => phases.structures[structure].hardens * phases.tangent(structure, model, y),
             Self::Balance(structure) => {
                 let push = phases.structures[structure].push;
                 motion.slope(NOW, y, scratch);
@@ -198,6 +206,7 @@ impl Event {
             Self::DriftTurn(structure) => phases.turn_drift(structure, model, y),
             Self::Yield(structure) => motion.yields(structure, y),
             Self::Straight(structure) => phases.straighten(structure),
+            Self::Soften(structure) => phases.structures[structure].hardens *= -1.0,
             Self::Link(link, change) => motion.change_link(link, change, y),
             Self::Balance(structure) => {
                 let push = &mut phases.structures[structure].push;

@@ -26,6 +26,8 @@ pub(super) struct StructurePhase {
     /// Sign of the rate of the friction that holds the floor; `None` if it slides in its `direction`, or has no friction.
     pub held: Option<f64>,
     pub branch: Branch,
+    /// Sign of the tangent stiffness of columns that yield smoothly.
+    pub hardens: f64,
 }
 
 #[derive(Debug, Clone, Copy)]
@@ -101,6 +103,7 @@ impl Phases {
                 push: None,
                 held: None,
                 branch: structure.columns.first_branch(drift),
+                hardens: 1.0,
             }
         };
         let pair = |pair: &super::model::Neighbours| {
@@ -147,6 +150,20 @@ impl Phases {
         {
             let drift = model.drift(structure, unknowns);
             phase.branch = model.structures[structure].columns.unloading(force, drift);
+        }
+        self.structures[structure].hardens = sign(self.tangent(structure, model, unknowns));
+    }
+
+    /// Tangent stiffness of columns that yield smoothly \[N/m\]; 0 for others.
+    pub(super) fn tangent(&self, structure: usize, model: &Model, unknowns: &[f64]) -> f64 {
+        let StructurePhase { branch, drift_direction, .. } = self.structures[structure];
+        let columns = &model.structures[structure].columns;
+        match (branch, columns.smooth) {
+            (Branch::Smooth { side }, Some(smooth)) => {
+                let bend = columns.bend(smooth, unknowns[smooth.unknown], side, drift_direction);
+                columns.stiffness * (columns.hardening + (1.0 - columns.hardening) * bend)
+            }
+            (Branch::Smooth { .. } | Branch::Elastic { .. } | Branch::Yielding { .. }, _) => 0.0,
         }
     }
 

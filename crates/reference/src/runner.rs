@@ -347,6 +347,7 @@ impl Runner {
                 | Event::DriftTurn(_)
                 | Event::Yield(_)
                 | Event::Straight(_)
+                | Event::Soften(_)
                 | Event::Balance(_)
                 | Event::Reversal(_)
                 | Event::ForcePeak(_)

@@ -121,6 +121,29 @@ impl StructurePeaks {
             }
             sign_changes(rate, range, |x| self.take_turn(span, series, x));
         }
+        if self.leaning.lost > 0.0 && !series.bent.is_empty() {
+            self.take_softening(span, series, range);
+        }
+    }
+
+    /// Updates the peak of the restoring force where gravity takes off as much as columns that yield smoothly gain, before the drift turns.
+    fn take_softening(&mut self, span: &Span<'_>, series: &Series<'_>, range: [f64; 2]) {
+        let coefficient = |all: &[f64], n: usize| *all.get(n).unwrap_or(&0.0);
+        let force = |n: usize| {
+            let below = series.below.map_or(0.0, |[below, _]| coefficient(below, n));
+            series.restoring_force.1 * (coefficient(series.displacement, n) - below) + coefficient(series.bent, n)
+        };
+        let mut rate = [0.0; CAPACITY];
+        let len = series.displacement.len().max(series.bent.len()) - 1;
+        for (n, rate) in rate[..len].iter_mut().enumerate() {
+            *rate = (n + 1) as f64 * force(n + 1);
+        }
+        sign_changes(&rate[..len], range, |x| {
+            let force = series.at(x).restoring_force;
+            if beyond(force, [span.start.restoring_force, span.end.restoring_force]) {
+                self.restoring_force.take(force, series.time(x));
+            }
+        });
     }
 
     /// Whether a motion could exceed these peaks up to x.

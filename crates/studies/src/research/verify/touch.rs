@@ -27,7 +27,8 @@ pub(super) struct Touch {
 ///
 /// A route's resolution decides three things: how many bounces end in rest, which of several floors that meet at once hits first, and how
 /// many bounces of a neighbour coming to rest reach a pair at rest. Bounces without an impulse therefore belong to the touch that
-/// continues. A force that passes through zero may end a touch or not. A force that begins where another one ends therefore continues it.
+/// continues. A force that passes through zero, or an impact on a pair at rest, may end a touch or not. A touch that begins where another
+/// one ends therefore continues it.
 pub(super) fn as_one(touches: Vec<Touch>) -> Vec<Touch> {
     let largest = Largest::of(&touches).impulse;
     let mut all: Vec<Touch> = Vec::with_capacity(touches.len());
@@ -35,8 +36,7 @@ pub(super) fn as_one(touches: Vec<Touch>) -> Vec<Touch> {
     for next in touches {
         let belongs = |last: &Touch| {
             let apart = next.start - (last.start + last.lasts);
-            let press = last.peak_force.is_some() && next.peak_force.is_some();
-            let goes_on = press && last.lasts > 0.0 && apart <= TOGETHER;
+            let goes_on = last.lasts > 0.0 && apart <= TOGETHER;
             let slight = last.impulse <= ROUNDING * largest && apart <= SAME;
             next.start - latest <= TOGETHER || goes_on || slight
         };
