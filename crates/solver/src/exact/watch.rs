@@ -313,21 +313,26 @@ fn watch_columns(watch: &mut Watch, node: usize, member: &Member, len: usize) {
     }
 }
 
-/// Length up to which the series of a touching pair have converged to the tolerance; `None` if there is no such length.
-pub(super) fn reach(contact: &PairState, power: Power, len: usize, length: f64, tolerance: f64) -> Option<f64> {
+/// Length up to which the series of a touching pair have converged to the tolerance; `None` if there is no such length. The force of a pair
+/// whose sides both stand still changes no rate, and must converge itself.
+pub(super) fn reach(contact: &PairState, stands: bool, power: Power, len: usize, length: f64, tolerance: f64) -> Option<f64> {
     if !matches!(contact.join, Join::Touching(_)) {
         return Some(length);
     }
     // Just after a touch the force is small compared with the moving forces, but its sign must be right.
-    let approaches = contact.join == Join::Touching(Phase::Approach);
+    let lost = match contact.join {
+        _ if stands => tolerance,
+        Join::Touching(Phase::Approach) => LOST,
+        Join::Touching(_) | Join::Apart | Join::Resting => f64::INFINITY,
+    };
     let mut x = length;
     loop {
         let (sum, tail) = last_quarter(&contact.rates[..len], x);
         let pushes = || {
             let (sum, tail) = last_quarter(&contact.force[..len], x);
-            tail <= LOST * sum
+            tail <= lost * sum
         };
-        if tail <= tolerance * sum && (!approaches || pushes()) {
+        if tail <= tolerance * sum && (lost.is_infinite() || pushes()) {
             return Some(x);
         }
         // A series that still grows at this length is not the series of this motion.
