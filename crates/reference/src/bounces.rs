@@ -1,7 +1,7 @@
 //! Impacts at an instant, and bounces that end in rest.
 
 use super::SecondRouteError;
-use super::impact::{self, NOISE, Outcome, SHORTEST};
+use super::impact::{self, NOISE, Outcome};
 use super::law::Law;
 use super::model::{TIME, velocity};
 use super::phases::ContactPhase;
@@ -26,7 +26,7 @@ impl Runner {
         self.motion.rise_again(&self.state.high, &self.scratch);
         for &pair in touching.iter().filter(|&&pair| impulses[pair] > 0.0) {
             let bounces = &mut self.bounces[pair];
-            let soon = time - bounces.last < SHORTEST;
+            let soon = time - bounces.last < self.shortest;
             *bounces = Bounces {
                 last: time,
                 count: if soon { bounces.count + 1 } else { 0 },
@@ -46,7 +46,7 @@ impl Runner {
         self.record.impacts(&self.motion, &impulses, &least, time);
         self.begin_or_end(&phases, time)?;
         for &pair in &touching {
-            self.proposal = self.proposal.min(self.flight(pair).max(SHORTEST));
+            self.proposal = self.proposal.min(self.flight(pair).max(self.shortest));
         }
         Ok(())
     }
@@ -95,7 +95,7 @@ impl Runner {
     /// Whether a pair that is hit now stops. Either it has been hit again and again, or another pair has come to rest on a floor that both
     /// hit in turn. All remaining impulses of this series are then given at once.
     fn stops(&self, pair: usize, touching: &[usize], time: f64) -> bool {
-        let soon = |pair: usize| time - self.bounces[pair].last < SHORTEST;
+        let soon = |pair: usize| time - self.bounces[pair].last < self.shortest;
         if !soon(pair) {
             return false;
         }
@@ -129,7 +129,7 @@ impl Runner {
         let y = &self.state.high;
         let rate = self.motion.model.rate(pair, y);
         let closing = self.motion.closing(pair, y, &self.scratch);
-        rate < 0.0 && restitution < 1.0 && closing > 0.0 && -2.0 * rate < SHORTEST * closing * (1.0 - restitution)
+        rate < 0.0 && restitution < 1.0 && closing > 0.0 && -2.0 * rate < self.shortest * closing * (1.0 - restitution)
     }
 
     /// Decides which pairs at rest press.

@@ -11,6 +11,9 @@ use super::model::{TIME, velocity};
 use super::rest::IDLE;
 use super::storey::{Friction, sign};
 
+/// Time after which forces of choices are compared \[s\].
+const SHORTLY: f64 = 1e-7;
+
 impl Equations {
     /// Adds the friction to the forces on floors; that of floors that stick balances the others.
     pub(super) fn rub(&self, y: &[f64], dy: &mut [f64]) {
@@ -88,7 +91,8 @@ impl Equations {
         }
     }
 
-    /// Tries sides of floors that do not move: by how much they are wrong \[m/s²\], and Σ F² of pairs at rest \[N²\].
+    /// Tries sides of floors that do not move: by how much they are wrong \[m/s²\], and Σ F² of pairs at rest \[N²\] shortly after: when a force
+    /// fades, two choices may have the same forces now.
     fn try_sides(&mut self, still: &[usize], sides: &[f64], resting: &[usize], y: &[f64], scratch: &mut [f64]) -> [f64; 2] {
         for (floor, side) in still.iter().zip(sides) {
             self.set_side(*floor, *side);
@@ -105,12 +109,12 @@ impl Equations {
         };
         let closing = |pair: &usize| closings[*pair][0] - closings[*pair][1];
         let all = still.iter().zip(sides).map(wrong).chain(resting.iter().map(closing));
-        let squares = self
-            .block
-            .pairs
-            .iter()
-            .map(|pair| scratch[self.model.impulse(*pair)] * scratch[self.model.impulse(*pair)]);
-        [all.fold(0.0, f64::max), squares.sum()]
+        let wrong = all.fold(0.0, f64::max);
+        self.slope(super::equations::NOW, y, scratch);
+        let near: Vec<_> = y.iter().zip(scratch.iter()).map(|(unknown, slope)| unknown + SHORTLY * slope).collect();
+        self.slope(super::equations::NOW, &near, scratch);
+        let square = |pair: &usize| scratch[self.model.impulse(*pair)] * scratch[self.model.impulse(*pair)];
+        [wrong, self.block.pairs.iter().map(square).sum()]
     }
 
     /// Size of the terms of the friction that holds a floor \[N\].

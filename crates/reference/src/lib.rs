@@ -94,6 +94,9 @@ pub struct Fineness {
     /// An event is detected if its function has changed sign at the end of a step. Sign changes of velocities are also checked in the
     /// middle of a step. A touch that lasts for a small part of a step can be missed.
     pub steps_per_sample: u32,
+    /// Bounces that would end within this time are over \[s\], 1e-14 ..= 1e-9. A cascade of bounces of several pairs has an impulse that is
+    /// uncertain by about the pressing force over this time.
+    pub shortest: f64,
 }
 
 impl Fineness {
@@ -102,12 +105,16 @@ impl Fineness {
     pub const FINE: Self = Self {
         tolerance: 1e-13,
         steps_per_sample: 4,
+        shortest: impact::SHORTEST,
     };
 
     fn check(self) -> Result<(), SecondRouteError> {
         let refused = |setting, found, allowed| Err(SecondRouteError::Setting { setting, found, allowed });
         if !(1e-14..=1e-6).contains(&self.tolerance) {
             return refused("tolerance", self.tolerance, "1e-14 to 1e-6");
+        }
+        if !(1e-14..=1e-9).contains(&self.shortest) {
+            return refused("shortest", self.shortest, "1e-14 to 1e-9 s");
         }
         if self.steps_per_sample == 0 {
             return refused("steps_per_sample", 0.0, "a whole number >= 1");

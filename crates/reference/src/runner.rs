@@ -43,6 +43,8 @@ pub(super) struct Runner {
     pub(super) scales: Scales,
     tolerance: f64,
     longest_step: f64,
+    /// Bounces that would end within this time are over \[s\].
+    pub(super) shortest: f64,
     /// Length of the next step by the error of the last one \[s\].
     pub(super) proposal: f64,
     n_events: usize,
@@ -85,6 +87,7 @@ impl Runner {
             scales: Scales::new(n, interval, longest_step),
             tolerance: fineness.tolerance,
             longest_step,
+            shortest: fineness.shortest,
             proposal: longest_step,
             n_events: 0,
             motion,

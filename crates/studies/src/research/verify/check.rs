@@ -17,12 +17,13 @@ use pounding_solver::{Pair, RunError};
 pub const RESIDUAL: f64 = 1e-11;
 
 /// Other settings of the second route: they change its rounding.
-const OTHERWISE: [Fineness; 4] = [fine(1e-14, 7), fine(1e-13, 5), fine(1e-14, 4), fine(1e-13, 9)];
+const OTHERWISE: [Fineness; 4] = [fine(1e-14, 7, 1e-12), fine(1e-13, 5, 1e-13), fine(1e-14, 4, 1e-12), fine(1e-13, 9, 1e-13)];
 
-const fn fine(tolerance: f64, steps_per_sample: u32) -> Fineness {
+const fn fine(tolerance: f64, steps_per_sample: u32, shortest: f64) -> Fineness {
     Fineness {
         tolerance,
         steps_per_sample,
+        shortest,
     }
 }
 
@@ -228,7 +229,8 @@ impl Checked {
         }
         let of = |test: &dyn Fn(&Disagreement) -> bool| worst(&judged.iter().filter(|one| test(one)).copied().collect::<Vec<_>>());
         let wrong = of(&Disagreement::is_wrong);
-        let firm = wrong.iter().any(|one| one.two.distance > OWN * one.own);
+        // Each route has its own uncertainty.
+        let firm = wrong.iter().any(|one| one.two.distance > one.explained + OWN * one.own);
         let kinds = [
             (if firm { Verdict::Disagrees } else { Verdict::SecondRouteRounds }, wrong),
             (
