@@ -141,6 +141,10 @@ impl Runner {
         impact::together(&self.motion.model, &touching, time)?;
         let before = self.motion.phases.clone();
         self.motion.decide(&self.state.high, &mut self.scratch);
+        if self.motion.model.frictions().next().is_some() {
+            // A floor that sticks or lets go changes the rates of forces at once.
+            self.motion.rise_again(&self.state.high, &self.scratch);
+        }
         self.begin_or_end(&before, time)
     }
 

@@ -271,7 +271,7 @@ impl Equations {
         }
     }
 
-    /// Updates, after velocity jumps, whether the forces of compliant pairs rise, and forgets the sign of net forces. `slope` is the
+    /// Updates, after jumps of velocities or accelerations, whether the forces of compliant pairs rise, and forgets the sign of net forces. `slope` is the
     /// derivative of the unknowns.
     pub(super) fn rise_again(&mut self, y: &[f64], slope: &[f64]) {
         for phase in &mut self.phases.structures {

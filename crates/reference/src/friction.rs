@@ -111,7 +111,11 @@ impl Equations {
         let all = still.iter().zip(sides).map(wrong).chain(resting.iter().map(closing));
         let wrong = all.fold(0.0, f64::max);
         self.slope(super::equations::NOW, y, scratch);
-        let near: Vec<_> = y.iter().zip(scratch.iter()).map(|(unknown, slope)| unknown + SHORTLY * slope).collect();
+        let near: Vec<_> = y
+            .iter()
+            .zip(scratch.iter())
+            .map(|(unknown, slope)| unknown + SHORTLY * slope)
+            .collect();
         self.slope(super::equations::NOW, &near, scratch);
         let square = |pair: &usize| scratch[self.model.impulse(*pair)] * scratch[self.model.impulse(*pair)];
         [wrong, self.block.pairs.iter().map(square).sum()]

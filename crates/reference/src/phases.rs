@@ -156,7 +156,9 @@ impl Phases {
 
     /// Tangent stiffness of columns that yield smoothly \[N/m\]; 0 for others.
     pub(super) fn tangent(&self, structure: usize, model: &Model, unknowns: &[f64]) -> f64 {
-        let StructurePhase { branch, drift_direction, .. } = self.structures[structure];
+        let StructurePhase {
+            branch, drift_direction, ..
+        } = self.structures[structure];
         let columns = &model.structures[structure].columns;
         match (branch, columns.smooth) {
             (Branch::Smooth { side }, Some(smooth)) => {

@@ -53,6 +53,9 @@ impl Plan {
     }
 }
 
+/// Longest time to a parting that a rate can tell \[s\].
+const LATEST: f64 = 1e3;
+
 /// The variable in which the next motion is smoothest.
 ///
 /// `scratch` receives a derivative of the unknowns.
@@ -74,8 +77,10 @@ pub(super) fn variable(motion: &Equations, y: &[f64], scratch: &mut [f64]) -> Va
         let deformation = motion.model.deformation(index, y);
         let rate = motion.model.rate(index, y);
         let acceleration = motion.model.rate(index, scratch);
-        // The pair certainly parts: at this acceleration the rate would vanish long after the deformation.
-        let parts = returns(phase) && deformation > 0.0 && rate < 0.0 && rate * rate > 2.0 * deformation * acceleration.abs();
+        // The pair certainly parts: at this acceleration the rate would vanish long after the deformation. Between floors that friction
+        // holds the rate is rounding.
+        let soon = rate < 0.0 && deformation < -rate * LATEST;
+        let parts = returns(phase) && deformation > 0.0 && soon && rate * rate > 2.0 * deformation * acceleration.abs();
         parts.then_some((index, deformation, deformation / -rate))
     });
     match parting.min_by(|left, right| left.2.total_cmp(&right.2)) {

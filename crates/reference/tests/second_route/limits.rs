@@ -141,6 +141,7 @@ fn extreme_settings_out_of_range_and_motions_without_end() {
         let fineness = Fineness {
             tolerance,
             steps_per_sample,
+            ..Fineness::FINE
         };
         pounding_reference::run(&row, excitation, duration, fineness)
     };

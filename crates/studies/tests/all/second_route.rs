@@ -37,6 +37,7 @@ fn order_a_tighter_tolerance_and_other_steps_change_nothing() {
     let coarse = Fineness {
         tolerance: 1e-10,
         steps_per_sample: 3,
+        ..Fineness::FINE
     };
     for (scene, prepared) in scenes() {
         let [coarse, fine] = [coarse, Fineness::FINE].map(|fineness| pounding_studies::second_route(&prepared, fineness).unwrap());

@@ -17,7 +17,12 @@ use pounding_solver::{Pair, RunError};
 pub const RESIDUAL: f64 = 1e-11;
 
 /// Other settings of the second route: they change its rounding.
-const OTHERWISE: [Fineness; 4] = [fine(1e-14, 7, 1e-12), fine(1e-13, 5, 1e-13), fine(1e-14, 4, 1e-12), fine(1e-13, 9, 1e-13)];
+const OTHERWISE: [Fineness; 4] = [
+    fine(1e-14, 7, 1e-12),
+    fine(1e-13, 5, 1e-13),
+    fine(1e-14, 4, 1e-12),
+    fine(1e-13, 9, 1e-13),
+];
 
 const fn fine(tolerance: f64, steps_per_sample: u32, shortest: f64) -> Fineness {
     Fineness {
@@ -274,10 +279,6 @@ fn story(prepared: &Simulation, exact: &Numbers, second: &Numbers, judged: &[Dis
         .iter()
         .filter(|one| one.is_wrong() && one.two.distance.is_infinite() == lacks);
     let wrong = wrong.filter_map(|one| one.two.place.touch());
-    let dbg: Vec<_> = judged.iter().filter(|one| one.is_wrong()).collect();
-    if std::env::var("DBGA").is_ok() { for one in judged.iter().filter(|one| matches!(one.two.place, NumberPlace::Floor(_))) { eprintln!("ALL {:?}", one.two); } }
-    for one in &dbg { eprintln!("DBG {:?}", one.two);
-      if let NumberPlace::Touch{pair, ..} = one.two.place { let t = exact.first_of(one.two.place.touch().into_iter(), exact).unwrap().1; eprintln!("{:?}", prepared.floors().names(pair)); for l in exact.near(pair,t) { eprintln!("  e {l}"); } for l in second.near(pair,t) { eprintln!("  s {l}"); } } }
     let Some((pair, time)) = exact.first_of(wrong, second) else {
         return Vec::new();
     };

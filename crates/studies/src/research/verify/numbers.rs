@@ -88,7 +88,6 @@ impl Numbers {
             left.zip(right).is_some_and(|((_, left), (_, right))| are_at_once(left, right))
         };
         let pinched = (0..floors.len()).map(pinched).collect();
-        if let Ok(w)=std::env::var("DBGW") { let w:Vec<f64>=w.split(',').map(|x|x.parse().unwrap()).collect(); eprintln!("RAW"); for (i,p) in pairs.iter().enumerate() { for t in p.iter().filter(|t|t.start>=w[0]&&t.start<=w[1]) { eprintln!("pair {i} {:.17} lasts {:e} end {:?} imp {:.17e} f {:?}", t.start,t.lasts,t.end,t.impulse,t.peak_force); } } }
         let pairs = pairs.into_iter().map(as_one).collect();
         let acceleration = prepared.record().peak().1.abs();
         let mass = |floor: usize| Some(prepared.floors().all()[floor].made_of?.mass_kg);

@@ -2,7 +2,7 @@
 
 use pounding_contact::Clamp;
 
-use super::compared::{Compared, NumberPlace, Two};
+use super::compared::{ALLOWED, Compared, NumberPlace, Two};
 use pounding_scene::RunErrors;
 use pounding_solver::Pair;
 
@@ -152,7 +152,9 @@ impl Touch {
             }
         };
         let mut start = two(Compared::Start, |one| Some(one.start), 1.0);
-        if self.presses_out_of_rest() && start.distance <= LEAVES_ZERO * self.lasts {
+        // A force that is rounding in one route has no impulse in the other one.
+        let same_impulse = other.is_some_and(|other| (other.impulse - self.impulse).abs() <= ALLOWED * self.impulse);
+        if self.presses_out_of_rest() && (same_impulse || start.distance <= LEAVES_ZERO * self.lasts) {
             start.distance = 0.0;
         }
         [
