@@ -143,7 +143,7 @@ impl Runner {
         self.motion.decide(&self.state.high, &mut self.scratch);
         if self.motion.model.frictions().next().is_some() {
             // A floor that sticks or lets go changes the rates of forces at once.
-            self.motion.rise_again(&self.state.high, &self.scratch);
+            self.motion.aim(&self.state.high, &self.scratch);
         }
         self.begin_or_end(&before, time)
     }

@@ -271,12 +271,17 @@ impl Equations {
         }
     }
 
-    /// Updates, after jumps of velocities or accelerations, whether the forces of compliant pairs rise, and forgets the sign of net forces. `slope` is the
+    /// Updates, after velocity jumps, whether the forces of compliant pairs rise, and forgets the sign of net forces. `slope` is the
     /// derivative of the unknowns.
     pub(super) fn rise_again(&mut self, y: &[f64], slope: &[f64]) {
         for phase in &mut self.phases.structures {
             phase.push = None;
         }
+        self.aim(y, slope);
+    }
+
+    /// Updates, after jumps of accelerations, whether the forces of compliant pairs rise. `slope` is the derivative of the unknowns.
+    pub(super) fn aim(&mut self, y: &[f64], slope: &[f64]) {
         for pair in 0..self.phases.pairs.len() {
             let rate = self.force_rate(pair, y, slope);
             if let ContactPhase::Approach { rising, .. } | ContactPhase::Restitution { rising } = &mut self.phases.pairs[pair].contact

@@ -33,6 +33,12 @@ pub enum SecondRouteError {
         /// The limit.
         limit: usize,
     },
+    /// The run was stopped from outside.
+    #[error("second route: stopped at t = {time} s")]
+    Stopped {
+        /// Time reached \[s\].
+        time: f64,
+    },
     /// A viscous damper without a brace: its force has no rate where its deformation stops.
     #[error("second route: links[{link}] is a viscous damper without a brace; give it a brace")]
     NoBrace {

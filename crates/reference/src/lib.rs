@@ -72,6 +72,8 @@ mod state;
 mod storey;
 mod variable;
 
+use std::sync::atomic::AtomicBool;
+
 use pounding_solver::{Excitation, Hysteretic, Row};
 
 pub use error::SecondRouteError;
@@ -137,6 +139,20 @@ pub fn run<Column: Hysteretic>(
     duration: f64,
     fineness: Fineness,
 ) -> Result<Response, SecondRouteError> {
+    run_until(row, excitation, duration, fineness, &AtomicBool::new(false))
+}
+
+/// [`run`] that ends with [`SecondRouteError::Stopped`] once `stop` is set.
+///
+/// # Errors
+/// As [`run`].
+pub fn run_until<Column: Hysteretic>(
+    row: &Row<Column>,
+    excitation: Excitation<'_>,
+    duration: f64,
+    fineness: Fineness,
+    stop: &AtomicBool,
+) -> Result<Response, SecondRouteError> {
     fineness.check()?;
     if !(duration.is_finite() && duration > 0.0) {
         return Err(SecondRouteError::Setting {
@@ -150,7 +166,7 @@ pub fn run<Column: Hysteretic>(
     let arrivals: Vec<_> = model.structures.iter().map(|one| one.arrival).collect();
     let mut runner = Runner::new(model, fineness, interval);
     for segment in Segments::new(excitation, arrivals, duration) {
-        runner.segment(segment)?;
+        runner.segment(segment, stop)?;
     }
     Ok(runner.finish(duration))
 }

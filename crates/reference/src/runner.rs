@@ -1,5 +1,7 @@
 //! The run, step by step from event to event.
 
+use std::sync::atomic::{AtomicBool, Ordering};
+
 use super::block::Block;
 use super::dormand_prince::DormandPrince;
 use super::equations::{Equations, InStep, NOW, Segment};
@@ -98,8 +100,8 @@ impl Runner {
         runner
     }
 
-    /// Runs through a segment of the record.
-    pub(super) fn segment(&mut self, segment: Segment) -> Result<(), SecondRouteError> {
+    /// Runs through a segment of the record, until `stop` is set.
+    pub(super) fn segment(&mut self, segment: Segment, stop: &AtomicBool) -> Result<(), SecondRouteError> {
         self.motion.phases.shift(self.motion.segment.length);
         let length = segment.length;
         self.motion.segment = segment;
@@ -118,6 +120,9 @@ impl Runner {
         self.rest(self.now())?;
         self.observe();
         while self.state.high[TIME] < length {
+            if stop.load(Ordering::Relaxed) {
+                return Err(SecondRouteError::Stopped { time: self.now() });
+            }
             self.advance()?;
         }
         Ok(())

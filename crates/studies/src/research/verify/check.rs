@@ -9,6 +9,7 @@ use super::condition::{Condition, Data, allowed, stopped_by};
 use super::numbers::Numbers;
 use super::touch::SAME;
 use crate::listed::listed;
+use crate::second_route::second_route_until;
 use pounding_reference::Fineness;
 use pounding_scene::{AuditedRun, Collapse, Error, Scene, Simulation};
 use pounding_solver::{Pair, RunError};
@@ -162,7 +163,7 @@ impl Checked {
             return Self::run(index, &until(scene, collapse), base, begin, stop);
         }
         begin(Stage::SecondRoute);
-        let second = crate::second_route(&prepared, Fineness::FINE);
+        let second = second_route_until(&prepared, Fineness::FINE, stop);
         let residual = residual(balance.residual);
         let failure = match (&broken, &second) {
             (Some(error), _) => Some(Failure::of(error)),
@@ -223,7 +224,7 @@ impl Checked {
         }
         if judged.iter().any(Disagreement::is_wrong) {
             begin(Stage::SecondRoute);
-            own_rounding(data.prepared, &exact, &mut judged);
+            own_rounding(data, &exact, &mut judged);
         }
         self.story = story(data.prepared, &exact, &second, &judged);
         judged.extend(residual);
@@ -296,9 +297,9 @@ fn story(prepared: &Simulation, exact: &Numbers, second: &Numbers, judged: &[Dis
 }
 
 /// Repeats the second route with other steps and notes how far it differs from itself.
-fn own_rounding(prepared: &Simulation, exact: &Numbers, judged: &mut [Disagreement]) {
+fn own_rounding(&Data { prepared, stop, .. }: &Data<'_>, exact: &Numbers, judged: &mut [Disagreement]) {
     for fineness in OTHERWISE {
-        let Ok(response) = crate::second_route(prepared, fineness) else {
+        let Ok(response) = second_route_until(prepared, fineness, stop) else {
             continue;
         };
         let again = exact.beside(&Numbers::of_second_route(prepared, &response));
