@@ -133,6 +133,13 @@ impl Touch {
         self.impulse <= ROUNDING * largest || self.uncertainty.is_some_and(brief)
     }
 
+    /// Whether two routes differ in the start alone: the force is rounding until the later one.
+    fn begins_without_impulse(&self, other: &Self) -> bool {
+        let ends = [self, other].map(|one| one.start + one.lasts);
+        let same = (ends[0] - ends[1]).abs() <= ALLOWED && (other.impulse - self.impulse).abs() <= ALLOWED * self.impulse;
+        self.lasts > 0.0 && same
+    }
+
     /// Compares the touch with the corresponding one of another run; without one, all distances are infinite. A number that the kind of
     /// touch does not have has distance 0. So does a force that only one of both has: rounding may decide whether the impact before a rest
     /// has an impulse, and the impulses are compared.
@@ -152,9 +159,8 @@ impl Touch {
             }
         };
         let mut start = two(Compared::Start, |one| Some(one.start), 1.0);
-        // A force that is rounding in one route has no impulse in the other one.
-        let same_impulse = other.is_some_and(|other| (other.impulse - self.impulse).abs() <= ALLOWED * self.impulse);
-        if self.presses_out_of_rest() && (same_impulse || start.distance <= LEAVES_ZERO * self.lasts) {
+        let leaves_zero = self.presses_out_of_rest() && start.distance <= LEAVES_ZERO * self.lasts;
+        if leaves_zero || other.is_some_and(|other| self.begins_without_impulse(other)) {
             start.distance = 0.0;
         }
         [
