@@ -250,9 +250,14 @@ impl Recorder for Peaks {
         if span.start_time == 0.0 {
             peaks.take(&span.start, first, 0.0);
         } else {
-            // A pounding force jumps if another neighbour hits a floor that presses a damped neighbour. No other quantity jumps.
+            // A pounding force jumps if another neighbour hits a floor that presses a damped neighbour. So does the friction that holds a
+            // floor, if the floor above is hit and its storey is damped. No other quantity jumps.
             let force = span.start.pounding_force();
             peaks.pounding_force.take(force, span.start_time);
+            let force = span.start.restoring_force;
+            if beyond(force, [peaks.restoring_force.value; 2]) {
+                peaks.restoring_force.take(force, span.start_time);
+            }
         }
         match &span.path {
             Path::Series(series) => peaks.take_inside(span, series),
