@@ -4,7 +4,7 @@ use crate::exact::ExactRun;
 use crate::exact::bend::{NOTHING, sign};
 use crate::exact::link_laws::{Branch, Change, Law};
 use crate::exact::member::Member;
-use crate::exact::rounding::weighed;
+use crate::exact::rounding::{INSTANT, weighed};
 use crate::exact::watch::{Event, Watch, last_quarter};
 use crate::roots::{CAPACITY, LOST, SHORTEST_WAY};
 use crate::span::{Power, value};
@@ -152,7 +152,9 @@ impl LinkState {
         let start = self
             .still
             .map_or(0.0, |terms| STILL * (terms + weighed(left, speed) + weighed(right, speed)));
-        let rounding = |n: usize| if n == 0 { start } else { self.noise(members, p, n) };
+        // After a rest, the rounding of a rate may point against the motion for less than an instant.
+        let overtaken = |n: usize| INSTANT * self.rate.get(n + p).map_or(0.0, |later| later.abs());
+        let rounding = |n: usize| if n == 0 { start } else { self.noise(members, p, n) }.max(overtaken(n));
         let is_noise = |n: &usize| self.rate[*n].abs() <= rounding(*n);
         (0..len).take_while(is_noise).count()
     }

@@ -3,6 +3,7 @@
 use crate::exact::bend::Bend;
 use crate::exact::columns::{Branch, LoadingLine, LoopConstants};
 use crate::exact::link_laws::Linked;
+use crate::exact::rounding::INSTANT;
 use crate::exact::stick::Stick;
 use crate::model::excitation::Segment;
 use crate::roots::CAPACITY;
@@ -297,7 +298,10 @@ impl Member {
         if let Some(bend) = &mut self.bend {
             return bend.goes_with(leading);
         }
-        self.unload(leading)
+        // After a rest, the rounding of a rate may point against the motion for less than an instant.
+        let rates = self.drift_rate();
+        let overtaken = rates[0].total_cmp(&leading).is_eq() && -rates[p] * leading.signum() * INSTANT > leading.abs();
+        !overtaken && self.unload(leading)
     }
 
     /// Whether the rounding of the first rates of the drift points against the motion: the columns would turn at once, again and again.

@@ -64,10 +64,13 @@ impl Moving<'_> {
                 }
             }
         }
-        for &node in hits.iter().flat_map(|hit| &hit.nodes) {
-            for storey in self.storeys_at(node) {
-                let rate = rate_of_drift(&self.members, storey);
-                self.members[storey].unload(rate);
+        for (&node, before) in hits.iter().flat_map(|hit| hit.nodes.iter().zip(&hit.before)) {
+            // The velocity of a floor that did not jump may be rounding.
+            if (self.members[node].state.velocity - before).abs() > 0.0 {
+                for storey in self.storeys_at(node) {
+                    let rate = rate_of_drift(&self.members, storey);
+                    self.members[storey].unload(rate);
+                }
             }
         }
     }
