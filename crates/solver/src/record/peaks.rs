@@ -177,9 +177,12 @@ impl StructurePeaks {
         if beyond(state.displacement, ends) {
             self.displacement.take(state.displacement, time);
         }
+        // Columns that have yielded under gravity may turn at their largest force and a small drift.
+        if beyond(state.restoring_force, [span.start.restoring_force, span.end.restoring_force]) {
+            self.restoring_force.take(state.restoring_force, time);
+        }
         let ends = span.drifts().map(|drift| drift.displacement);
         if beyond(drift.displacement, ends) {
-            self.restoring_force.take(state.restoring_force, time);
             if self.leaning.lost > 0.0 {
                 self.with_gravity
                     .take(state.restoring_force + self.leaning.lost * drift.displacement, time);
