@@ -11,6 +11,8 @@ pub const CAPACITY: usize = 64;
 pub(crate) const LOST: f64 = 1e-3;
 /// The shortest piece that time resolves \[s\].
 pub(crate) const SHORTEST_WAY: f64 = 1e-18;
+/// Time within which a motion that turns has gone nowhere \[s\].
+pub(crate) const INSTANT: f64 = 1e-15;
 
 /// Part of the whole below which the length of a stretch is rounding.
 const SHORTEST: f64 = 1e-15;

@@ -4,9 +4,9 @@ use crate::exact::ExactRun;
 use crate::exact::bend::{NOTHING, sign};
 use crate::exact::link_laws::{Branch, Change, Law};
 use crate::exact::member::Member;
-use crate::exact::rounding::{INSTANT, weighed};
+use crate::exact::rounding::weighed;
 use crate::exact::watch::{Event, Watch, last_quarter};
-use crate::roots::{CAPACITY, LOST, SHORTEST_WAY};
+use crate::roots::{CAPACITY, INSTANT, LOST, SHORTEST_WAY};
 use crate::span::{Power, value};
 use crate::{Link, Motion, Point, Recorder, Relation, RestoringForce, Row, RunError, Travel};
 

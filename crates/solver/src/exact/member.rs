@@ -3,10 +3,9 @@
 use crate::exact::bend::Bend;
 use crate::exact::columns::{Branch, LoadingLine, LoopConstants};
 use crate::exact::link_laws::Linked;
-use crate::exact::rounding::INSTANT;
 use crate::exact::stick::Stick;
 use crate::model::excitation::Segment;
-use crate::roots::CAPACITY;
+use crate::roots::{CAPACITY, INSTANT};
 use crate::{Flight, Floor, Hysteresis, Hysteretic, Knee, Row, State, Support};
 
 /// Magnitudes of the terms of the first coefficients of an acceleration.

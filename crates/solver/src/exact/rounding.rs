@@ -7,8 +7,6 @@ use crate::{Point, Relation};
 pub const OF_COEFFICIENTS: f64 = 64.0 * f64::EPSILON;
 /// Rounding of a sum of few numbers, of a deformation or of an instant, as a part of the largest term.
 pub(super) const OF_SUMS: f64 = 8.0 * f64::EPSILON;
-/// Time within which a motion that turns has gone nowhere \[s\].
-pub(super) const INSTANT: f64 = 1e-15;
 
 /// Rounding of coefficient `n` of the deformation of a pair with equal displacements and velocities, from the coefficients of both points.
 pub(super) fn noise(members: &[Member], relation: Relation, values: [f64; 2], p: usize, n: usize) -> f64 {
