@@ -4,14 +4,15 @@
 //! forces, and the floor sticks while it is at most the limit. A floor that slides has the limit as friction, against its motion.
 //!
 //! Where floors do not move, all choices are tried: each may stick, or begin to slide to one side, unless it would accelerate to the other one.
-//! Of those that fit and in which most floors stick, neighbours that press have the least Σ F²: they bear only what friction does not hold.
+//! Of those that fit and in which most floors stick, neighbours that press have the least Σ F² shortly after: they bear only what friction does not hold.
 
 use super::equations::Equations;
 use super::model::{TIME, velocity};
 use super::rest::IDLE;
 use super::storey::{Friction, sign};
 
-/// Time after which forces of choices are compared \[s\].
+/// Time after which forces of choices are compared \[s\]: forces that are equal now differ then by more than rounding, and no other event
+/// is near (1/1112 of the campaign).
 const SHORTLY: f64 = 1e-7;
 
 impl Equations {

@@ -14,7 +14,7 @@ use super::phases::ContactPhase;
 /// Rounds in which a pair gives back its restitution. Later approaches are stopped.
 const MOST_ROUNDS: usize = 50;
 
-/// Bounces with a shorter geometric remainder are over \[s\].
+/// Bounces with a shorter geometric remainder are usually over \[s\].
 pub(super) const SHORTEST: f64 = 1e-12;
 
 /// Rounding of a velocity or an impulse, relative to its terms.

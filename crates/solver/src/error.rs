@@ -332,10 +332,11 @@ pub enum RunError {
         /// The instant \[s\].
         time: f64,
     },
-    /// Walls that close in, without a gap, on the structures between them, because their grounds move at different times.
+    /// Walls, or floors that friction holds, that close in without a gap on the structures between them, because their grounds move at
+    /// different times.
     #[error(
-        "structures {left} and {right} at t = {time:.4} s: walls on both sides close in on them, and impulsive contact leaves them \
-         nowhere to go; let the motion arrive at both walls at once, widen a gap, or use a compliant law"
+        "structures {left} and {right} at t = {time:.4} s: walls (or floors that friction holds) close in on them from both sides, and \
+         impulsive contact leaves them nowhere to go; let the motion arrive everywhere at once, widen a gap, or use a compliant law"
     )]
     ClosedIn {
         /// Index of the left structure.

@@ -1,5 +1,7 @@
 //! Models that must agree, balances that must hold, edges.
 
+use std::sync::atomic::AtomicBool;
+
 use pounding_reference::{Fineness, Response, SecondRouteError};
 use pounding_solver::{Bilinear, Elastic, Excitation, Node, Pair, Row};
 
@@ -156,6 +158,17 @@ fn extreme_settings_out_of_range_and_motions_without_end() {
         let refused = matches!(found, Err(SecondRouteError::Setting { .. }));
         assert!(refused, "{duration}, {tolerance}, {steps}: {found:?}");
     }
+    let excitation = Excitation::new(0.1, &[0.0]).unwrap();
+    for shortest in [1e-15, 1e-8, f64::NAN] {
+        let fineness = Fineness {
+            shortest,
+            ..Fineness::FINE
+        };
+        let found = pounding_reference::run(&row, excitation, 1.0, fineness);
+        assert!(matches!(found, Err(SecondRouteError::Setting { .. })), "{shortest}: {found:?}");
+    }
+    let found = pounding_reference::run_until(&row, excitation, 1.0, Fineness::FINE, &AtomicBool::new(true));
+    assert!(matches!(found, Err(SecondRouteError::Stopped { .. })), "{found:?}");
     // Beyond the range of numbers, or before that beyond the resolution of time.
     let found = try_with(&[1e300; 3], 1.0, 1e-13, 4);
     let ended = matches!(

@@ -271,11 +271,7 @@ impl<R: Recorder> ExactRun<'_, R> {
         for pair in group.pairs() {
             let contact = &self.touching.contacts[*pair];
             let [left, right] = contact.floors();
-            let stands = contact
-                .relation
-                .points()
-                .iter()
-                .all(|point| self.moving.members[point.floor()].is_still());
+            let stands = contact.relation.pushes().all(|(floor, _)| self.moving.members[floor].is_still());
             let reach = reach(contact, stands, power, len, longest, tolerance);
             length = length.min(reach.ok_or(RunError::NoSeries { left, right, time })?);
         }

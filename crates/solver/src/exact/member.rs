@@ -291,15 +291,14 @@ impl Member {
     /// Ends yielding if the motion from a standstill leads back, and gives columns that yield smoothly their new direction; true if
     /// anything changed. `len` coefficients of this expansion are known, as below.
     pub(super) fn turns_back(&mut self, below: Option<&Self>, p: usize, len: usize) -> bool {
-        let Some(leading) = self.leading_rate(below, p, len) else {
+        let Some((n, leading)) = self.leading_rate(below, p, len) else {
             return false;
         };
         if let Some(bend) = &mut self.bend {
             return bend.goes_with(leading);
         }
         // After a rest, the rounding of a rate may point against the motion for less than an instant.
-        let rates = self.drift_rate();
-        let overtaken = rates[0].total_cmp(&leading).is_eq() && -rates[p] * leading.signum() * INSTANT > leading.abs();
+        let overtaken = n == 0 && -self.drift_rate()[p] * leading.signum() * INSTANT > leading.abs();
         !overtaken && self.unload(leading)
     }
 
@@ -307,16 +306,18 @@ impl Member {
     pub(super) fn goes_astray(&self, below: Option<&Self>, p: usize, len: usize) -> bool {
         let first = self.drift_rate()[..len].iter().find(|rate| **rate != 0.0);
         let leading = self.leading_rate(below, p, len);
-        first.zip(leading).is_some_and(|(first, leading)| (*first > 0.0) != (leading > 0.0))
+        first
+            .zip(leading)
+            .is_some_and(|(first, (_, leading))| (*first > 0.0) != (leading > 0.0))
     }
 
-    /// The first coefficient of the rate of the drift that is more than rounding.
-    fn leading_rate(&self, below: Option<&Self>, p: usize, len: usize) -> Option<f64> {
+    /// The first coefficient of the rate of the drift that is more than rounding, with its order.
+    fn leading_rate(&self, below: Option<&Self>, p: usize, len: usize) -> Option<(usize, f64)> {
         let mut rates = self.drift_rate()[..len].iter().enumerate();
         // An event sets rounded zeros to zero, and a row at rest before its record begins has only zeros.
         let leads = |n: usize, rate: f64| rate != 0.0 && rate.abs() > self.noise_of_rate(below, p, n);
         let leading = rates.find(|(n, rate)| leads(*n, **rate));
-        leading.map(|(_, rate)| *rate)
+        leading.map(|(n, rate)| (n, *rate))
     }
 
     /// Clears the rounding of the first rates of the drift from a standstill: columns would yield, or turn, at once.

@@ -337,7 +337,7 @@ pub(super) fn reach(contact: &PairState, stands: bool, power: Power, len: usize,
         }
         // A series that still grows at this length is not the series of this motion.
         if power.time(x) < SHORTEST_WAY {
-            return (tail <= LOST * sum).then_some(x);
+            return (tail <= LOST * sum && (!stands || pushes())).then_some(x);
         }
         x *= 0.85;
     }

@@ -105,7 +105,7 @@ impl StructurePeaks {
         peak.take(end, span.end_time);
     }
 
-    /// Updates the peaks inside a span whose motion is known: at turns of the floor and of the storey.
+    /// Updates the peaks inside a span whose motion is known: at turns of the floor and of the storey, and where columns under gravity soften.
     fn take_inside(&mut self, span: &Span<'_>, series: &Series<'_>) {
         let range = [series.x(span.start_time), span.x(*series, span.end_time)];
         if !self.could_rise(series, range[1]) {
@@ -121,7 +121,7 @@ impl StructurePeaks {
             }
             sign_changes(rate, range, |x| self.take_turn(span, series, x));
         }
-        if self.leaning.lost > 0.0 && !series.bent.is_empty() {
+        if series.restoring_force.1 < 0.0 && !series.bent.is_empty() {
             self.take_softening(span, series, range);
         }
     }
@@ -254,7 +254,7 @@ impl Recorder for Peaks {
             peaks.take(&span.start, first, 0.0);
         } else {
             // A pounding force jumps if another neighbour hits a floor that presses a damped neighbour. So does the friction that holds a
-            // floor, if the floor above is hit and its storey is damped. No other quantity jumps.
+            // floor, when a damper on it jumps: of the storey above, a contact or a link. No other quantity jumps.
             let force = span.start.pounding_force();
             peaks.pounding_force.take(force, span.start_time);
             let force = span.start.restoring_force;

@@ -50,7 +50,7 @@ fn reference_random_scenes_are_the_same_by_both_routes() {
 /// - 1/1215: Bouc–Wen columns under gravity soften before their drift turns, and the peak of the base shear was 4e-6 too small.
 /// - 1/1581: columns that have yielded under gravity turn at their largest force and a small drift; it was 5e-5 too small.
 /// - 1/1649: friction that holds a floor jumps when the floor above is hit; its peak was 1.6e-3 too small.
-/// - 1/1657: a link at its limit turned again and again, by the rounding of a rate after a rest.
+/// - 1/1474, 1/1657: a column and a link at their limits turned again and again, by the rounding of a rate after a rest.
 ///
 /// Others found faults of the second route:
 ///
@@ -70,7 +70,10 @@ fn agree(seed: u64, scenes: &[usize]) {
 
 #[test]
 fn issue_scenes_of_seed_1_that_found_faults_agree() {
-    agree(1, &[54, 103, 172, 202, 225, 354, 1175, 1193, 1215, 1250, 1310, 1581, 1649, 1657]);
+    agree(
+        1,
+        &[54, 103, 172, 202, 225, 354, 1175, 1193, 1215, 1250, 1310, 1474, 1581, 1649, 1657],
+    );
 }
 
 #[test]
@@ -166,12 +169,12 @@ fn issue_floors_that_move_by_rounding_do_not_touch_for_ever() {
     assert!(outcome.work.events < 10_000, "{:?}", outcome.work);
 }
 
-/// Undecidable differences do not count as faults: 1/1229 loses touches with the last digits of its data, and changes of its data by
+/// Undecidable differences do not count as faults: 1/67 loses touches with the last digits of its data, and changes of its data by
 /// 1e-15 move 2/197.
 #[test]
 fn limit_what_rounding_decides_is_no_disagreement() {
     let verdict = |seed, scene| campaign(seed).run(&[scene], &|_| ()).remove(0).verdict;
-    let lost = verdict(1, 1229);
+    let lost = verdict(1, 67);
     assert!(matches!(lost, Verdict::Unknowable), "{lost:?}");
     let rounds = verdict(2, 197);
     assert!(matches!(rounds, Verdict::ExactRounds), "{rounds:?}");

@@ -17,7 +17,7 @@ use pounding_solver::{Pair, RunError};
 /// Energy residual of an exact run that is always allowed \[–\].
 pub const RESIDUAL: f64 = 1e-11;
 
-/// Other settings of the second route: they change its rounding.
+/// Other settings of the second route: they change its rounding, and when bounces are over.
 const OTHERWISE: [Fineness; 4] = [
     fine(1e-14, 7, 1e-12),
     fine(1e-13, 5, 1e-13),
@@ -141,7 +141,7 @@ impl Checked {
     }
 
     /// Runs a scene by both routes. `base` is the folder that the name of its record is relative to. `begin` is called at the start of each
-    /// part of the work, and `stop` ends the exact runs.
+    /// part of the work, and `stop` ends the runs.
     pub(super) fn run(index: usize, scene: &Scene, base: &Path, begin: &dyn Fn(Stage), stop: &'static AtomicBool) -> Self {
         let failed = |verdict, failure| Self::new(index, scene, verdict, Some(failure));
         begin(Stage::Exact);

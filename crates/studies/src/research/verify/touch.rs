@@ -113,10 +113,10 @@ impl Touch {
         }
     }
 
-    /// Merges a touch that follows at once; an impact has no force.
+    /// Merges a touch that follows at once; an impact has no force, and adds none to a rest.
     fn add(&mut self, next: &Self) {
         let (one, other) = (self.peak_force, next.peak_force);
-        self.peak_force = one.zip(other).map(|(one, other)| one.max(other));
+        self.peak_force = one.zip(other).map(|(one, other)| one.max(other)).or(one);
         self.lasts = self.lasts.max(next.start + next.lasts - self.start);
         self.end = self.end.zip(next.end).map(|(one, other)| one.max(other));
         self.impulse += next.impulse;
@@ -137,7 +137,7 @@ impl Touch {
     fn begins_without_impulse(&self, other: &Self) -> bool {
         let ends = [self, other].map(|one| one.start + one.lasts);
         let same = (ends[0] - ends[1]).abs() <= ALLOWED && (other.impulse - self.impulse).abs() <= ALLOWED * self.impulse;
-        self.lasts > 0.0 && same
+        self.lasts > 0.0 && other.peak_force.is_some() && same
     }
 
     /// Compares the touch with the corresponding one of another run; without one, all distances are infinite. A number that the kind of
@@ -159,8 +159,8 @@ impl Touch {
             }
         };
         let mut start = two(Compared::Start, |one| Some(one.start), 1.0);
-        let leaves_zero = self.presses_out_of_rest() && start.distance <= LEAVES_ZERO * self.lasts;
-        if leaves_zero || other.is_some_and(|other| self.begins_without_impulse(other)) {
+        let leaves_zero = start.distance <= LEAVES_ZERO * self.lasts || other.is_some_and(|other| self.begins_without_impulse(other));
+        if self.presses_out_of_rest() && leaves_zero {
             start.distance = 0.0;
         }
         [
