@@ -4,7 +4,8 @@
 //! forces, and the floor sticks while it is at most the limit. A floor that slides has the limit as friction, against its motion.
 //!
 //! Where floors do not move, all choices are tried: each may stick, or begin to slide to one side, unless it would accelerate to the other one.
-//! Of those that fit and in which most floors stick, neighbours that press have the least Σ F² shortly after: they bear only what friction does not hold.
+//! Of those that fit and in which most floors stick, neighbours that press have the least Σ F² shortly after: they bear only what friction
+//! does not hold.
 
 use super::equations::Equations;
 use super::model::{TIME, velocity};
